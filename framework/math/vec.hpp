@@ -1,0 +1,128 @@
+// Real numbers and vectors of them. A text templated on Real T runs as float, as double (the
+// reference that accuracy is measured against) and as 4, 8 or 16 lanes of float.
+//
+// GLM's dot, cross, normalize, length, reflect and mix work on all of them. normalize() of a zero
+// vector is NaN, as in GLSL; normalize_or() says what else it shall be.
+#pragma once
+
+#include "framework/math/lanes.hpp"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace glint {
+
+template <class T>
+concept Real = std::same_as<T, float> || std::same_as<T, double> || is_lanes<T>;
+
+template <class T>
+using Vec2 = glm::vec<2, T>;
+template <class T>
+using Vec3 = glm::vec<3, T>;
+template <class T>
+using Vec4 = glm::vec<4, T>;
+template <class T>
+using Rgb = glm::vec<3, T>;  // linear radiometric values of the sRGB primaries
+
+// Uniforms are floats; a uniform times a value of the shader's number type needs no cast.
+template <class T>
+concept Wider = Real<T> && !std::same_as<T, float>;
+
+template <int L, Wider T>
+glm::vec<L, T> operator*(const glm::vec<L, float>& uniform, const T& x) {
+    return glm::vec<L, T>(uniform) * x;
+}
+template <int L, Wider T>
+glm::vec<L, T> operator*(const T& x, const glm::vec<L, float>& uniform) {
+    return x * glm::vec<L, T>(uniform);
+}
+template <int L, Wider T>
+glm::vec<L, T> operator*(const glm::vec<L, float>& uniform, const glm::vec<L, T>& x) {
+    return glm::vec<L, T>(uniform) * x;
+}
+template <int L, Wider T>
+glm::vec<L, T> operator*(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
+    return x * glm::vec<L, T>(uniform);
+}
+template <int L, Wider T>
+glm::vec<L, T> operator*(float uniform, const glm::vec<L, T>& x) {
+    return T(uniform) * x;
+}
+template <int L, Wider T>
+glm::vec<L, T> operator*(const glm::vec<L, T>& x, float uniform) {
+    return x * T(uniform);
+}
+template <int L, Wider T>
+glm::vec<L, T> operator/(const glm::vec<L, T>& x, float uniform) {
+    return x / T(uniform);
+}
+template <int L, Wider T>
+glm::vec<L, T> operator+(const glm::vec<L, float>& uniform, const glm::vec<L, T>& x) {
+    return glm::vec<L, T>(uniform) + x;
+}
+template <int L, Wider T>
+glm::vec<L, T> operator+(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
+    return x + glm::vec<L, T>(uniform);
+}
+template <int L, Wider T>
+glm::vec<L, T> operator-(const glm::vec<L, float>& uniform, const glm::vec<L, T>& x) {
+    return glm::vec<L, T>(uniform) - x;
+}
+template <int L, Wider T>
+glm::vec<L, T> operator-(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
+    return x - glm::vec<L, T>(uniform);
+}
+
+using std::abs;
+using std::fma;
+using std::sqrt;
+
+// x limited to [low, high]; low where x is NaN.
+template <Real T>
+T clamp(T x, std::type_identity_t<T> low, std::type_identity_t<T> high) {
+    return min(max(x, low), high);
+}
+
+template <int L, Real T>
+glm::vec<L, T> select(const MaskOf<T>& m, const glm::vec<L, T>& yes, const glm::vec<L, T>& no) {
+    glm::vec<L, T> r;
+    for (int i = 0; i < L; ++i) {
+        r[i] = select(m, yes[i], no[i]);
+    }
+    return r;
+}
+
+template <int L, Real T>
+glm::vec<L, T> min(const glm::vec<L, T>& a, const std::type_identity_t<glm::vec<L, T>>& b) {
+    glm::vec<L, T> r;
+    for (int i = 0; i < L; ++i) {
+        r[i] = min(a[i], b[i]);
+    }
+    return r;
+}
+
+template <int L, Real T>
+glm::vec<L, T> max(const glm::vec<L, T>& a, const std::type_identity_t<glm::vec<L, T>>& b) {
+    glm::vec<L, T> r;
+    for (int i = 0; i < L; ++i) {
+        r[i] = max(a[i], b[i]);
+    }
+    return r;
+}
+
+// v scaled to length 1; fallback where v is zero, not finite, or so short or long that the square
+// of its length leaves the range of T.
+template <Real T>
+Vec3<T> normalize_or(const Vec3<T>& v, const Vec3<T>& fallback) {
+    const T square = dot(v, v);
+    const auto usable = (square >= T(std::numeric_limits<T>::min())) &
+                        (square <= T(std::numeric_limits<T>::max()));
+    const T scale = T(1.0F) / sqrt(select(MaskOf<T>(usable), square, T(1.0F)));
+    return select(MaskOf<T>(usable), v * scale, fallback);
+}
+
+}  // namespace glint

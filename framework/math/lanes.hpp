@@ -204,8 +204,7 @@ Int<N> select(Mask<N> m, Int<N> yes, Int<N> no) {
     return xsimd::select(xsimd::bool_cast(m.v), yes.v, no.v);
 }
 template <class T>
-    requires std::is_arithmetic_v<T>
-T select(bool m, T yes, std::type_identity_t<T> no) {
+requires std::is_arithmetic_v<T> T select(bool m, T yes, std::type_identity_t<T> no) {
     return m ? yes : no;
 }
 
@@ -217,8 +216,12 @@ template <int N>
 bool all(Mask<N> m) {
     return xsimd::all(m.v);
 }
-inline bool any(bool m) { return m; }
-inline bool all(bool m) { return m; }
+inline bool any(bool m) {
+    return m;
+}
+inline bool all(bool m) {
+    return m;
+}
 
 // ---- min, max, sqrt ------------------------------------------------------------------------
 
@@ -248,13 +251,11 @@ Int<N> max(Int<N> a, std::type_identity_t<Int<N>> b) {
     return xsimd::max(a.v, b.v);
 }
 template <class T>
-    requires std::is_arithmetic_v<T>
-T min(T a, std::type_identity_t<T> b) {
+requires std::is_arithmetic_v<T> T min(T a, std::type_identity_t<T> b) {
     return a < b ? a : b;
 }
 template <class T>
-    requires std::is_arithmetic_v<T>
-T max(T a, std::type_identity_t<T> b) {
+requires std::is_arithmetic_v<T> T max(T a, std::type_identity_t<T> b) {
     return a > b ? a : b;
 }
 
@@ -293,28 +294,35 @@ template <int N>
 Float<N> float_from_bits(Int<N> a) {
     return xsimd::bitwise_cast<simd::Floats<N>>(a.v);
 }
-inline std::int32_t round_to_int(float a) { return static_cast<std::int32_t>(__builtin_rintf(a)); }
-inline std::int32_t truncate_to_int(float a) { return static_cast<std::int32_t>(a); }
-inline float to_float(std::int32_t a) { return static_cast<float>(a); }
-inline std::int32_t bits_of(float a) { return std::bit_cast<std::int32_t>(a); }
-inline float float_from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
+inline std::int32_t round_to_int(float a) {
+    return static_cast<std::int32_t>(__builtin_rintf(a));
+}
+inline std::int32_t truncate_to_int(float a) {
+    return static_cast<std::int32_t>(a);
+}
+inline float to_float(std::int32_t a) {
+    return static_cast<float>(a);
+}
+inline std::int32_t bits_of(float a) {
+    return std::bit_cast<std::int32_t>(a);
+}
+inline float float_from_bits(std::int32_t a) {
+    return std::bit_cast<float>(a);
+}
 
 // ---- memory --------------------------------------------------------------------------------
 
 // load and store move N consecutive values; any alignment.
 template <class T>
-    requires is_lanes<T>
-T load(const float* from) {
+requires is_lanes<T> T load(const float* from) {
     return simd::Floats<lanes_of<T>>::load_unaligned(from);
 }
 template <class T>
-    requires std::same_as<T, Int<lanes_of<T>>>
-T load(const std::int32_t* from) {
+requires std::same_as<T, Int<lanes_of<T>>> T load(const std::int32_t* from) {
     return simd::Ints<lanes_of<T>>::load_unaligned(from);
 }
 template <class T>
-    requires std::is_arithmetic_v<T>
-T load(const T* from) {
+requires std::is_arithmetic_v<T> T load(const T* from) {
     return *from;
 }
 template <int N>
@@ -326,7 +334,7 @@ void store(std::int32_t* to, Int<N> a) {
     a.v.store_unaligned(to);
 }
 template <class T>
-    requires std::is_arithmetic_v<T>
+requires std::is_arithmetic_v<T>
 void store(T* to, T a) {
     *to = a;
 }
@@ -390,8 +398,7 @@ Int<N> gather(const std::int32_t* from, Int<N> index) {
     return load<Int<N>>(value);
 }
 template <class T>
-    requires std::is_arithmetic_v<T>
-T gather(const T* from, std::int32_t index) {
+requires std::is_arithmetic_v<T> T gather(const T* from, std::int32_t index) {
     return from[index];
 }
 
@@ -423,7 +430,9 @@ std::uint32_t lane_bits(Mask<N> m) {
     }
     return bits;
 }
-inline std::uint32_t lane_bits(bool m) { return m ? 1U : 0U; }
+inline std::uint32_t lane_bits(bool m) {
+    return m ? 1U : 0U;
+}
 
 // Stores the values of the answering lanes side by side and returns how many there are.
 // May write up to N values, whatever it returns.

@@ -1,5 +1,6 @@
 // Stops a program that was compiled for a newer processor than the one it runs on, with a word
-// instead of SIGILL. It runs before any other initialiser and uses no instruction beyond the oldest.
+// instead of SIGILL. It runs before any other initialiser and uses no instruction beyond the
+// oldest.
 
 #if defined(__x86_64__)
 
@@ -14,12 +15,12 @@ void need(bool present, const char* message, unsigned long length) {
     }
 }
 
-#define NEED(feature)                                                                       \
-    need(__builtin_cpu_supports(feature),                                                   \
-         "error: this program was built for a processor with " feature                      \
-         ", which this one lacks; build it here: lessons/run\n",                            \
-         sizeof("error: this program was built for a processor with " feature               \
-                ", which this one lacks; build it here: lessons/run\n") -                   \
+#define NEED(feature)                                                         \
+    need(__builtin_cpu_supports(feature),                                     \
+         "error: this program was built for a processor with " feature        \
+         ", which this one lacks; build it here: lessons/run\n",              \
+         sizeof("error: this program was built for a processor with " feature \
+                ", which this one lacks; build it here: lessons/run\n") -     \
              1)
 
 [[gnu::constructor(101)]] void check_processor() {

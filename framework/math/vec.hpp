@@ -7,12 +7,12 @@
 
 #include "framework/math/lanes.hpp"
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cmath>
 
 namespace glint {
 
@@ -119,8 +119,8 @@ glm::vec<L, T> max(const glm::vec<L, T>& a, const std::type_identity_t<glm::vec<
 template <Real T>
 Vec3<T> normalize_or(const Vec3<T>& v, const Vec3<T>& fallback) {
     const T square = dot(v, v);
-    const auto usable = (square >= T(std::numeric_limits<T>::min())) &
-                        (square <= T(std::numeric_limits<T>::max()));
+    const auto usable =
+        (square >= T(std::numeric_limits<T>::min())) & (square <= T(std::numeric_limits<T>::max()));
     const T scale = T(1.0F) / sqrt(select(MaskOf<T>(usable), square, T(1.0F)));
     return select(MaskOf<T>(usable), v * scale, fallback);
 }

@@ -1,0 +1,14 @@
+// Pictures between radiance and what a screen shows.
+#pragma once
+
+#include "framework/image/image.hpp"
+
+namespace glint {
+
+// Clamped to 0..1 and rounded to the nearest code; NaN is black. Opaque.
+SrgbImage to_srgb(const LinearImage& image);
+
+// 0..1. Alpha is dropped.
+LinearImage to_linear(const SrgbImage& image);
+
+}  // namespace glint

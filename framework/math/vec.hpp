@@ -12,8 +12,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <cmath>
-
 namespace glint {
 
 template <class T>
@@ -76,10 +74,6 @@ template <int L, Wider T>
 glm::vec<L, T> operator-(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
     return x - glm::vec<L, T>(uniform);
 }
-
-using std::abs;
-using std::fma;
-using std::sqrt;
 
 // x limited to [low, high]; low where x is NaN.
 template <Real T>

@@ -1,7 +1,10 @@
-// A triangle mesh in world space, and the materials that its triangles name.
+// A triangle mesh in world space, the materials that its triangles name, and what can be done to
+// any mesh. The world is right-handed with y up.
 #pragma once
 
 #include "framework/math/vec.hpp"
+
+#include <glm/mat4x4.hpp>
 
 #include <cstdint>
 #include <string>
@@ -28,5 +31,22 @@ struct Mesh {
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint16_t> materials;
 };
+
+// The mesh moved by an affine matrix: normals by the inverse transpose, made unit length again;
+// a matrix that mirrors also turns the triangles round, so that outside stays outside.
+// A matrix that is not affine or not invertible is an Error.
+Mesh transform(Mesh mesh, const glm::mat4& matrix);
+
+// Adds a copy of other to mesh, all of it of the given material. Missing uvs become (0, 0); that
+// only one of them has normals is an Error, as are more than 2^32 - 1 vertices.
+void append(Mesh& mesh, const Mesh& other, std::uint16_t material = 0);
+
+// The smallest box along the axes that holds all vertices.
+struct Bounds {
+    glm::vec3 low, high;
+};
+
+// A mesh without vertices is an Error.
+Bounds bounds(const Mesh& mesh);
 
 }  // namespace glint

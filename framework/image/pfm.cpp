@@ -45,7 +45,8 @@ std::string_view take_word(std::string_view& text) {
 template <class Number>
 Number take_number(const fs::path& path, std::string_view& text, const char* name) {
     const std::string_view word = take_word(text);
-    const std::size_t plus = word.starts_with('+') ? 1 : 0;  // which from_chars does not know
+    // from_chars does not know a plus sign.
+    const std::size_t plus = word.starts_with('+') && !word.starts_with("+-") ? 1 : 0;
     Number number{};
     const char* last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data() + plus, last, number);

@@ -1,0 +1,186 @@
+#include "framework/raster/bins.hpp"
+
+#include "framework/raster/clip.hpp"
+#include "framework/geometry/mesh.hpp"
+#include "framework/math/dispatch.hpp"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+constexpr int half_pixel = subpixel_one / 2;
+
+// Below this extent (64 pixels) the doubled area is exact in 32 bits.
+constexpr std::int32_t small_extent = 1 << 14;
+
+template <class I>
+I smallest(const I (&v)[3]) {
+    return min(min(v[0], v[1]), v[2]);
+}
+template <class I>
+I largest(const I (&v)[3]) {
+    return max(max(v[0], v[1]), v[2]);
+}
+
+// Whether a triangle certainly has no area or, where that culls, faces away. Exact for small
+// triangles; others are left to the exact test at their tiles where rounding could decide.
+template <int N>
+typename Lanes<N>::Mask certainly_culled(const typename Lanes<N>::Int (&x)[3],
+                                         const typename Lanes<N>::Int (&y)[3],
+                                         typename Lanes<N>::Mask small, bool cull_back) {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+    using M = typename Lanes<N>::Mask;
+    const I dx1 = x[1] - x[0];
+    const I dy1 = y[1] - y[0];
+    const I dx2 = x[2] - x[0];
+    const I dy2 = y[2] - y[0];
+    const I zero(0);
+    M dead = false;
+    if (any(small)) {
+        const I area = select(small, dx1, zero) * dy2 - select(small, dx2, zero) * dy1;
+        dead = small & ((area == zero) | (M(cull_back) & (area > zero)));
+    }
+    if (cull_back && any(!small)) {
+        const T left = to_float(dx1) * to_float(dy2);
+        const T right = to_float(dx2) * to_float(dy1);
+        const T doubt = (abs(left) + abs(right)) * T(0x1p-22F);
+        dead = dead | ((!small) & (left - right > doubt));
+    }
+    return dead;
+}
+
+}  // namespace
+
+void TileBins::fill(const Mesh& mesh, const View& view, const Settings& settings,
+                    const VertexBuffer& vertices, std::uint32_t first, std::uint32_t last) {
+    const TileGrid grid = tile_grid(view);
+    window_ = {view.width, view.height, grid.columns, {0, 0}, {0, 0}, settings.cull == Cull::back};
+    for (const SampleOffset o : sample_offsets(settings.samples)) {
+        window_.low = {std::min(window_.low.x, o.x), std::min(window_.low.y, o.y)};
+        window_.high = {std::max(window_.high.x, o.x), std::max(window_.high.y, o.y)};
+    }
+    tiles_ = grid.tiles();
+    staged_ = 0;
+    pieces_.clear();
+    not_finite_ = 0;
+    with_lanes(settings.lanes, [&]<int N>() {
+        std::uint32_t i = first;
+        for (; i + N <= last; i += N) {
+            assemble<N>(mesh, view, vertices, i);
+        }
+        for (; i < last; ++i) {
+            assemble<1>(mesh, view, vertices, i);
+        }
+    });
+    sort_by_tile();
+}
+
+// Fetches the corners of N triangles at a time.
+template <int N>
+void TileBins::assemble(const Mesh& mesh, const View& view, const VertexBuffer& vertices,
+                        std::uint32_t first) {
+    using I = typename Lanes<N>::Int;
+    using M = typename Lanes<N>::Mask;
+    const auto* corner = reinterpret_cast<const std::int32_t*>(&mesh.triangles[first].x);
+    const I third = iota<I>() * I(3);
+    I x[3];
+    I y[3];
+    M clip = false;
+    for (int i = 0; i < 3; ++i) {
+        const I vertex = gather(corner + i, third);
+        x[i] = gather(vertices.x.data(), vertex);
+        y[i] = gather(vertices.y.data(), vertex);
+        clip = clip | (x[i] == I(VertexBuffer::needs_clipping));
+    }
+    if (!any(clip)) {
+        stage<N>(x, y, iota<I>() + I(static_cast<std::int32_t>(first)));
+        return;
+    }
+    if constexpr (N == 1) {
+        assemble_clipped(mesh, view, vertices, first);
+    } else {
+        for (std::uint32_t i = 0; i < N; ++i) {
+            assemble<1>(mesh, view, vertices, first + i);
+        }
+    }
+}
+
+void TileBins::assemble_clipped(const Mesh& mesh, const View& view, const VertexBuffer& vertices,
+                                std::uint32_t triangle) {
+    const std::size_t known = pieces_.size();
+    if (!clip_triangle(mesh, triangle, view, vertices, pieces_)) {
+        ++not_finite_;
+    }
+    for (std::size_t i = known; i < pieces_.size(); ++i) {
+        const ScreenVertex(&v)[3] = pieces_[i].v;
+        stage<1>({v[0].x, v[1].x, v[2].x}, {v[0].y, v[1].y, v[2].y},
+                 static_cast<std::int32_t>(static_cast<TriangleRef>(i) | piece_bit));
+    }
+}
+
+// Notes the tiles that N triangles may touch.
+template <int N>
+void TileBins::stage(const typename Lanes<N>::Int (&x)[3], const typename Lanes<N>::Int (&y)[3],
+                     typename Lanes<N>::Int ref) {
+    using I = typename Lanes<N>::Int;
+    using M = typename Lanes<N>::Mask;
+    const I left = smallest(x);
+    const I right = largest(x);
+    const I top = smallest(y);
+    const I bottom = largest(y);
+    // The first and last pixel that have a sample between the extremes.
+    const int up = subpixel_one - 1 - half_pixel;
+    const I x0 = max((left + I(up - window_.high.x)) >> subpixel_bits, I(0));
+    const I y0 = max((top + I(up - window_.high.y)) >> subpixel_bits, I(0));
+    const I x1 =
+        min((right - I(half_pixel + window_.low.x)) >> subpixel_bits, I(window_.width - 1));
+    const I y1 =
+        min((bottom - I(half_pixel + window_.low.y)) >> subpixel_bits, I(window_.height - 1));
+    M alive = (x0 <= x1) & (y0 <= y1);
+    if (!any(alive)) {
+        return;
+    }
+    const M small = (right - left < I(small_extent)) & (bottom - top < I(small_extent));
+    alive = alive & !certainly_culled<N>(x, y, small, window_.cull_back);
+    if (staged_ + N > staged_ref_.size()) {
+        const std::size_t size = std::max<std::size_t>(2 * staged_ref_.size(), 1024);
+        staged_ref_.resize(size);
+        staged_tile_.resize(size);
+        staged_extent_.resize(size);
+    }
+    const I column = x0 >> tile_bits;
+    const I row = y0 >> tile_bits;
+    const I extent = ((x1 >> tile_bits) - column) | (((y1 >> tile_bits) - row) << 16);
+    store_compressed(&staged_tile_[staged_], alive, row * I(window_.columns) + column);
+    store_compressed(&staged_extent_[staged_], alive, extent);
+    staged_ += static_cast<std::size_t>(store_compressed(&staged_ref_[staged_], alive, ref));
+}
+
+// A counting sort: stable, so each tile keeps the submission order.
+void TileBins::sort_by_tile() {
+    const auto for_each_entry = [&](auto&& visit) {
+        for (std::size_t i = 0; i < staged_; ++i) {
+            const std::int32_t columns = staged_extent_[i] & 0xFFFF;
+            const std::int32_t rows = staged_extent_[i] >> 16;
+            for (std::int32_t row = 0; row <= rows; ++row) {
+                for (std::int32_t column = 0; column <= columns; ++column) {
+                    visit(i, static_cast<std::size_t>(staged_tile_[i] + row * window_.columns +
+                                                      column));
+                }
+            }
+        }
+    };
+    start_.assign(tiles_ + 2, 0);
+    for_each_entry([&](std::size_t, std::size_t tile) { ++start_[tile + 2]; });
+    for (std::size_t tile = 2; tile < start_.size(); ++tile) {
+        start_[tile] += start_[tile - 1];
+    }
+    refs_.resize(start_.back());
+    for_each_entry([&](std::size_t i, std::size_t tile) {
+        refs_[start_[tile + 1]++] = static_cast<TriangleRef>(staged_ref_[i]);
+    });
+}
+
+}  // namespace glint

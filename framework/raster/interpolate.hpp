@@ -1,0 +1,70 @@
+// Perspective-correct interpolation at one point, from exact edge values.
+#pragma once
+
+#include "framework/raster/setup.hpp"
+#include "framework/raster/shader.hpp"
+
+#include <array>
+
+namespace glint {
+
+// The varyings at the three corners of a triangle.
+using CornerVaryings = std::array<std::array<float, max_varyings>, 3>;
+
+inline CornerVaryings corner_varyings(const Shader& shader, const Mesh& mesh,
+                                      const ScreenTriangle& triangle) {
+    std::array<float, 3 * max_varyings> of_mesh{};
+    const glm::uvec3 vertices = mesh.triangles[triangle.source];
+    shader.vertex(shader.shader, mesh, &vertices.x, 3, of_mesh.data());
+    CornerVaryings corners{};
+    const auto count = static_cast<std::size_t>(shader.varyings);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 b = triangle.barycentric[i];
+        for (std::size_t k = 0; k < count; ++k) {
+            corners[i][k] = triangle.clipped ? b.x * of_mesh[k] + b.y * of_mesh[count + k] +
+                                                   b.z * of_mesh[2 * count + k]
+                                             : of_mesh[i * count + k];
+        }
+    }
+    return corners;
+}
+
+// Barycentric coordinates of a window position (1/256 pixel) with respect to the corners: on the
+// screen, and on the triangle in space, where each is weighted by its corner's 1/w.
+template <class T>
+struct Barycentrics {
+    std::array<T, 3> screen;
+    std::array<T, 3> space;
+};
+
+template <class T>
+Barycentrics<T> barycentrics(const ScreenTriangle& triangle, const Edges& edges, std::int64_t x,
+                             std::int64_t y) {
+    Barycentrics<T> b{};
+    const auto area = static_cast<T>(std::abs(edges.double_area));
+    T sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Edge& e = edges.edge[i];
+        b.screen[i] = static_cast<T>(e.at(x, y) + (e.inclusive ? 0 : 1)) / area;
+        b.space[i] = b.screen[i] * static_cast<T>(triangle.v[i].inverse_w);
+        sum += b.space[i];
+    }
+    for (T& weight : b.space) {
+        weight /= sum;
+    }
+    return b;
+}
+
+// out[k * stride]: varying k. T is float or double.
+template <class T>
+void interpolate(const CornerVaryings& corners, int count, const std::array<T, 3>& weight, T* out,
+                 int stride) {
+    for (int k = 0; k < count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        out[k * stride] = weight[0] * static_cast<T>(corners[0][at]) +
+                          weight[1] * static_cast<T>(corners[1][at]) +
+                          weight[2] * static_cast<T>(corners[2][at]);
+    }
+}
+
+}  // namespace glint

@@ -1,0 +1,45 @@
+// A frame of the scanline rasterizer.
+#pragma once
+
+#include "framework/raster/fragment.hpp"
+#include "framework/raster/interpolate.hpp"
+#include "framework/raster/pipeline.hpp"
+#include "framework/raster/shader.hpp"
+
+#include <span>
+#include <vector>
+
+namespace glint {
+
+class ScanlineRasterizer {
+  public:
+    explicit ScanlineRasterizer(const Settings& settings);
+
+    Statistics render(const Mesh& mesh, const View& view, std::span<const Shader> shaders,
+                      const Target& target);
+
+  private:
+    void assemble(const Mesh& mesh, const View& view, Statistics& statistics);
+    void find_visible(const View& view);
+    void draw(std::int32_t index, std::size_t sample, const View& view);
+    void shade_row(const Mesh& mesh, std::span<const Shader> shaders, const Target& target, int y,
+                   Statistics& statistics);
+    Rgb<float> shade(const Mesh& mesh, std::span<const Shader> shaders, const Fragment& fragment,
+                     int x, int y);
+    void write_row(const Target& target, int y) const;
+
+    Settings settings_;
+    std::span<const SampleOffset> offsets_;
+    std::vector<ScreenTriangle> triangles_;
+    std::vector<Image<float>> depth_;         // by sample
+    std::vector<Image<std::int32_t>> owner_;  // by sample; place in triangles_
+    std::vector<Rgb<float>> row_;
+    std::vector<std::uint8_t> won_a_sample_;
+
+    // What was interpolated last.
+    std::int32_t corners_of_ = no_triangle;
+    CornerVaryings corners_{};
+    Edges edges_{};
+};
+
+}  // namespace glint

@@ -1,0 +1,106 @@
+// One tile of the window while it is drawn: small enough for the cache of a core.
+//
+// A tile of 64x64 pixels is 16x16 blocks of 4x4; a block's pixels lie side by side in memory, so
+// that one register, or a few, hold it.
+#pragma once
+
+#include "framework/raster/bins.hpp"
+#include "framework/raster/pipeline.hpp"
+#include "framework/raster/shader.hpp"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace glint {
+
+inline constexpr int block_size = 4;
+inline constexpr int block_pixels = block_size * block_size;
+inline constexpr int tile_blocks = tile_size / block_size;  // a row
+inline constexpr int tile_pixels = tile_size * tile_size;
+
+// Column and row, within the tile, of a pixel by its place in memory. I is int or lanes of it.
+template <class I>
+I pixel_column(I pixel) {
+    return ((pixel >> 2) & I(60)) | (pixel & I(3));
+}
+template <class I>
+I pixel_row(I pixel) {
+    return ((pixel >> 6) & I(60)) | ((pixel >> 2) & I(3));
+}
+
+// All that a frame's stages share; read-only while tiles are drawn.
+struct Frame {
+    const Mesh* mesh;
+    View view;
+    Settings settings;
+    TileGrid grid;
+    const VertexBuffer* vertices;
+    std::span<const TileBins> chunks;
+    std::span<const Shader> shaders;  // by material
+    Target target;
+    std::span<std::uint8_t> won_a_sample;  // by triangle; set where one did
+};
+
+// A triangle in a tile: where it stands in the bins.
+struct TileTriangle {
+    std::uint32_t chunk;
+    TriangleRef ref;
+};
+
+// The working memory of one thread; it keeps its capacity from tile to tile and frame to frame.
+struct TileBuffer {
+    int x = 0, y = 0;  // the tile's first pixel
+
+    // By sample, then pixel: depth (0: nothing there) and the place in triangles of who won it;
+    // stale where depth is 0.
+    std::vector<float> depth;
+    std::vector<std::int32_t> owner;
+    std::vector<TileTriangle> triangles;
+
+    // Fragments: place of the pixel, place in triangles, offset from the pixel's centre in pixels,
+    // share of the pixel's samples. Offsets and shares are left out with one sample a pixel.
+    std::vector<std::int32_t> fragment_pixel, fragment_triangle;
+    std::vector<float> fragment_x, fragment_y, fragment_share;
+
+    // By triangle: where its planes begin, or -1. See tile_shading.cpp.
+    std::vector<std::int32_t> plane_start;
+    std::vector<float> planes;
+
+    // Fragments sorted by shader: where each shader's end, and scratch for sorting.
+    std::vector<std::uint32_t> shader_end, order;
+    std::vector<std::int32_t> sorted_ints;
+    std::vector<float> sorted_floats;
+
+    std::vector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
+    std::array<std::vector<float>, 3> colour;  // red, green, blue by pixel
+
+    std::int64_t fragments_shaded = 0;
+    double visibility_seconds = 0, shading_seconds = 0, output_seconds = 0;
+};
+
+inline std::uint32_t source_of(const Frame& frame, TileTriangle t) {
+    return (t.ref & piece_bit) != 0 ? frame.chunks[t.chunk].piece(t.ref).source : t.ref;
+}
+
+inline ScreenTriangle screen_triangle(const Frame& frame, TileTriangle t) {
+    if ((t.ref & piece_bit) != 0) {
+        return frame.chunks[t.chunk].piece(t.ref);
+    }
+    const glm::uvec3 i = frame.mesh->triangles[t.ref];
+    const VertexBuffer& v = *frame.vertices;
+    return {.v = {v[i.x], v[i.y], v[i.z]}, .source = t.ref};
+}
+
+// Finds who wins each sample of the tile; false where nobody wins any.
+bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer);
+
+// Shades what find_visible() found into buffer.colour.
+void shade_tile(const Frame& frame, TileBuffer& buffer);
+
+// Writes the tile into the target's pictures.
+void write_tile(const Frame& frame, const TileBuffer& buffer);
+void write_empty_tile(const Frame& frame, int x, int y);
+
+}  // namespace glint

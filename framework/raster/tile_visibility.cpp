@@ -1,0 +1,263 @@
+// Stage 3 of the tile rasterizer: depth and owner of every sample of a tile.
+#include "framework/raster/tile.hpp"
+#include "framework/raster/tile_setup.hpp"
+#include "framework/geometry/mesh.hpp"
+#include "framework/math/dispatch.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+
+namespace glint {
+namespace {
+
+constexpr std::int32_t block_columns[block_pixels] = {0, 1, 2, 3, 0, 1, 2, 3,
+                                                      0, 1, 2, 3, 0, 1, 2, 3};
+constexpr std::int32_t block_rows[block_pixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+// One triangle over the samples of one kind (one offset) of a tile.
+template <int N>
+class Coverage {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+    using M = typename Lanes<N>::Mask;
+    static constexpr int parts = block_pixels / N;  // registers a block
+
+  public:
+    Coverage(const TileSetup<N>& t, std::size_t lane, const TileBuffer& tile, SampleOffset offset)
+        : x0_(t.x0[lane] / block_size),
+          y0_(t.y0[lane] / block_size),
+          x1_(t.x1[lane] / block_size),
+          y1_(t.y1[lane] / block_size),
+          dzdx_(t.depth.dzdx[lane]),
+          dzdy_(t.depth.dzdy[lane]),
+          z_(t.depth.z[lane]),
+          low_(t.depth.low[lane]),
+          high_(t.depth.high[lane]) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            a_[i] = t.a[i][lane];
+            b_[i] = t.b[i][lane];
+            const std::int64_t shift =
+                std::int64_t{a_[i]} * offset.x + std::int64_t{b_[i]} * offset.y + t.rest[i][lane];
+            e_[i] = static_cast<std::int32_t>(t.whole[i][lane] + (shift >> subpixel_bits));
+        }
+        // Differences of window positions are exact in float.
+        const float to_pixel = 1.0F / static_cast<float>(subpixel_one);
+        const float x = static_cast<float>(tile.x) + 0.5F +
+                        static_cast<float>(offset.x) * to_pixel - t.depth.x[lane];
+        const float y = static_cast<float>(tile.y) + 0.5F +
+                        static_cast<float>(offset.y) * to_pixel - t.depth.y[lane];
+        for (int p = 0; p < parts; ++p) {
+            const I column = load<I>(block_columns + p * N);
+            const I row = load<I>(block_rows + p * N);
+            for (std::size_t i = 0; i < 3; ++i) {
+                within_[i][p] = I(a_[i]) * column + I(b_[i]) * row;
+            }
+            x_[p] = T(x) + to_float(column);
+            y_[p] = T(y) + to_float(row);
+        }
+    }
+
+    void draw(float* depth, std::int32_t* owner, std::int32_t triangle) const {
+        for (std::int32_t by = y0_; by <= y1_; ++by) {
+            std::uint32_t touched = (2U << x1_) - (1U << x0_);
+            std::uint32_t full = 0;
+            if (x1_ - x0_ >= 3) {
+                classify_row(by, touched, full);
+            }
+            for (; touched != 0; touched &= touched - 1) {
+                const std::int32_t bx = std::countr_zero(touched);
+                const std::ptrdiff_t at = (by * tile_blocks + bx) * block_pixels;
+                if ((full >> bx & 1U) != 0) {
+                    draw_block<true>(bx, by, depth + at, owner + at, triangle);
+                } else {
+                    draw_block<false>(bx, by, depth + at, owner + at, triangle);
+                }
+            }
+        }
+    }
+
+  private:
+    // Of a row of blocks: which the triangle may touch, and which it covers entirely.
+    void classify_row(std::int32_t by, std::uint32_t& touched, std::uint32_t& full) const {
+        std::uint32_t outside = 0;
+        std::uint32_t partial = 0;
+        for (int first = 0; first < tile_blocks; first += N) {
+            const I bx = iota<I>() + I(first);
+            M out = false;
+            M part = false;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const I e = I(e_[i] + b_[i] * block_size * by) + I(a_[i] * block_size) * bx;
+                const std::int32_t a = a_[i] * (block_size - 1);
+                const std::int32_t b = b_[i] * (block_size - 1);
+                out = out | (e + I(std::max(a, 0) + std::max(b, 0)) < I(0));
+                part = part | (e + I(std::min(a, 0) + std::min(b, 0)) < I(0));
+            }
+            outside |= lane_bits(out) << first;
+            partial |= lane_bits(part) << first;
+        }
+        touched &= ~outside;
+        full = ~partial;
+    }
+
+    template <bool full>
+    void draw_block(std::int32_t bx, std::int32_t by, float* depth, std::int32_t* owner,
+                    std::int32_t triangle) const {
+        const T block_x(static_cast<float>(bx * block_size));
+        const T block_y(static_cast<float>(by * block_size));
+        std::int32_t e[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            e[i] = e_[i] + (a_[i] * bx + b_[i] * by) * block_size;
+        }
+        for (int p = 0; p < parts; ++p) {
+            // DepthPlane::at(), with the sample's position relative to the anchor.
+            const T z =
+                min(max(z_ + (dzdx_ * (x_[p] + block_x) + dzdy_ * (y_[p] + block_y)), low_), high_);
+            const T known = load<T>(depth + p * N);
+            M wins = z > known;
+            if constexpr (!full) {
+                const I inside = (I(e[0]) + within_[0][p]) | (I(e[1]) + within_[1][p]) |
+                                 (I(e[2]) + within_[2][p]);
+                wins = wins & (inside >= I(0));
+            }
+            store(depth + p * N, select(wins, z, known));
+            store(owner + p * N, select(wins, I(triangle), load<I>(owner + p * N)));
+        }
+    }
+
+    std::int32_t x0_, y0_, x1_, y1_;  // blocks
+    std::int32_t e_[3], a_[3], b_[3];
+    I within_[3][parts];  // E of a block's pixels less that of its first
+    T x_[parts], y_[parts];
+    T dzdx_, dzdy_, z_, low_, high_;
+};
+
+template <int N>
+class TileVisibility {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+
+  public:
+    TileVisibility(const Frame& frame, TileBuffer& tile)
+        : frame_(frame), tile_(tile), offsets_(sample_offsets(frame.settings.samples)) {
+        for (const SampleOffset o : offsets_) {
+            range_.low = {std::min(range_.low.x, o.x), std::min(range_.low.y, o.y)};
+            range_.high = {std::max(range_.high.x, o.x), std::max(range_.high.y, o.y)};
+        }
+    }
+
+    void draw(const TileBins& bins, std::uint32_t chunk, std::span<const TriangleRef> refs) {
+        for (const TriangleRef ref : refs) {
+            tile_.triangles.push_back({chunk, ref});
+        }
+        for (std::size_t i = 0; i < refs.size(); i += N) {
+            draw_group(bins, refs.subspan(i, std::min<std::size_t>(N, refs.size() - i)));
+        }
+    }
+
+  private:
+    // Up to N triangles.
+    void draw_group(const TileBins& bins, std::span<const TriangleRef> refs) {
+        TileSetup<N> setup;
+        const std::uint32_t done = set_up_group(refs, setup);
+        for (std::size_t lane = 0; lane < refs.size(); ++lane, ++next_) {
+            if ((done >> lane & 1U) == 0) {
+                set_up_any(triangle(bins, refs[lane]), tile_, frame_.settings.cull, range_, lane,
+                           setup);
+            }
+            if (setup.x0[lane] <= setup.x1[lane] && setup.y0[lane] <= setup.y1[lane]) {
+                draw_triangle(setup, lane);
+            }
+        }
+    }
+
+    // Sets up the small triangles of the group; bit i says that it did lane i.
+    std::uint32_t set_up_group(std::span<const TriangleRef> refs, TileSetup<N>& setup) {
+        std::array<std::int32_t, N> padded;
+        for (std::size_t i = 0; i < N; ++i) {
+            padded[i] = static_cast<std::int32_t>(refs[std::min(i, refs.size() - 1)]);
+        }
+        const I ref = load<I>(padded.data());
+        if (any(ref < I(0))) {
+            return 0;  // pieces of clipped triangles, one by one
+        }
+        const auto* corners = reinterpret_cast<const std::int32_t*>(frame_.mesh->triangles.data());
+        const VertexBuffer& v = *frame_.vertices;
+        I x[3];
+        I y[3];
+        T z[3];
+        for (int i = 0; i < 3; ++i) {
+            const I vertex = gather(corners + i, ref * I(3));
+            x[i] = gather(v.x.data(), vertex);
+            y[i] = gather(v.y.data(), vertex);
+            z[i] = gather(v.z.data(), vertex);
+        }
+        const I extent = max(max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]),
+                             max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]));
+        const auto small = lane_bits(extent < I(tile_size * subpixel_one));
+        if (small != 0) {
+            set_up_small<N>(x, y, z, tile_, frame_.settings.cull, range_, setup);
+        }
+        return small;
+    }
+
+    void draw_triangle(const TileSetup<N>& setup, std::size_t lane) {
+        for (std::size_t s = 0; s < offsets_.size(); ++s) {
+            const std::size_t plane = s * tile_pixels;
+            Coverage<N>(setup, lane, tile_, offsets_[s])
+                .draw(&tile_.depth[plane], &tile_.owner[plane], next_);
+        }
+    }
+
+    ScreenTriangle triangle(const TileBins& bins, TriangleRef ref) const {
+        return (ref & piece_bit) != 0 ? bins.piece(ref) : screen_triangle(frame_, {0, ref});
+    }
+
+    const Frame& frame_;
+    TileBuffer& tile_;
+    std::span<const SampleOffset> offsets_;
+    OffsetRange range_;
+    std::int32_t next_ = 0;  // place in tile_.triangles
+};
+
+// What lies beyond the window's edge is not there.
+void clear_outside(const Frame& frame, TileBuffer& tile) {
+    const int width = frame.view.width - tile.x;
+    const int height = frame.view.height - tile.y;
+    if (width >= tile_size && height >= tile_size) {
+        return;
+    }
+    for (std::size_t i = 0; i < tile.depth.size(); ++i) {
+        const int pixel = static_cast<int>(i % tile_pixels);
+        if (pixel_column(pixel) >= width || pixel_row(pixel) >= height) {
+            tile.depth[i] = 0.0F;
+        }
+    }
+}
+
+}  // namespace
+
+bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer) {
+    const auto columns = static_cast<std::size_t>(frame.grid.columns);
+    buffer.x = static_cast<int>(tile % columns) * tile_size;
+    buffer.y = static_cast<int>(tile / columns) * tile_size;
+    buffer.triangles.clear();
+    const auto touched = [tile](const TileBins& bins) { return !bins.tile(tile).empty(); };
+    if (std::none_of(frame.chunks.begin(), frame.chunks.end(), touched)) {
+        return false;
+    }
+    const auto samples = static_cast<std::size_t>(frame.settings.samples) * tile_pixels;
+    buffer.depth.assign(samples, 0.0F);
+    buffer.owner.resize(samples);
+    with_lanes(frame.settings.lanes, [&]<int N>() {
+        TileVisibility<N> visibility(frame, buffer);
+        for (std::size_t chunk = 0; chunk < frame.chunks.size(); ++chunk) {
+            const TileBins& bins = frame.chunks[chunk];
+            visibility.draw(bins, static_cast<std::uint32_t>(chunk), bins.tile(tile));
+        }
+    });
+    clear_outside(frame, buffer);
+    return true;
+}
+
+}  // namespace glint

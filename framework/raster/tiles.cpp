@@ -1,0 +1,114 @@
+#include "framework/raster/tiles.hpp"
+
+#include "framework/raster/transform.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace glint {
+namespace {
+
+// A chunk's bins are kept apart, so many chunks cost memory, few leave threads idle.
+constexpr std::size_t chunk_triangles = 4096;
+constexpr std::size_t most_chunks = 256;
+constexpr std::size_t vertices_at_a_time = 8192;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+TileRasterizer::TileRasterizer(const Settings& settings)
+    : settings_(settings),
+      pool_(settings.threads),
+      buffers_(static_cast<std::size_t>(settings.threads)) {}
+
+Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
+                                  std::span<const Shader> shaders, const Target& target) {
+    const auto start = Clock::now();
+    for (TileBuffer& buffer : buffers_) {
+        buffer.fragments_shaded = 0;
+        buffer.visibility_seconds = buffer.shading_seconds = buffer.output_seconds = 0;
+    }
+    won_a_sample_.assign(mesh.triangles.size(), 0);
+    transform_vertices(mesh, view);
+    sort_into_tiles(mesh, view);
+    const double geometry_seconds = seconds_since(start);
+
+    const Frame frame{&mesh,           view,       settings_,
+                      tile_grid(view), &vertices_, {chunks_.data(), chunks_used_},
+                      shaders,         target,     won_a_sample_};
+    pool_.run(frame.grid.tiles(), [&](std::size_t tile, int thread) {
+        draw_tile(frame, tile, buffers_[static_cast<std::size_t>(thread)]);
+    });
+
+    Statistics s;
+    s.frame_ms = 1e3 * seconds_since(start);
+    s.geometry_ms = 1e3 * geometry_seconds;
+    s.triangles_in = static_cast<std::int64_t>(mesh.triangles.size());
+    const double share = 1e3 / pool_.threads();
+    for (const TileBuffer& buffer : buffers_) {
+        s.fragments_shaded += buffer.fragments_shaded;
+        s.visibility_ms += share * buffer.visibility_seconds;
+        s.shading_ms += share * buffer.shading_seconds;
+        s.output_ms += share * buffer.output_seconds;
+    }
+    for (const TileBins& bins : frame.chunks) {
+        s.triangles_not_finite += bins.not_finite();
+    }
+    s.triangles_visible =
+        std::accumulate(won_a_sample_.begin(), won_a_sample_.end(), std::int64_t{0});
+    return s;
+}
+
+void TileRasterizer::transform_vertices(const Mesh& mesh, const View& view) {
+    const std::size_t count = mesh.positions.size();
+    vertices_.x.resize(count);
+    vertices_.y.resize(count);
+    vertices_.z.resize(count);
+    vertices_.inverse_w.resize(count);
+    const std::size_t parts = (count + vertices_at_a_time - 1) / vertices_at_a_time;
+    pool_.run(parts, [&](std::size_t part, int) {
+        const std::size_t first = part * vertices_at_a_time;
+        transform(mesh.positions, view, settings_.lanes, first,
+                  std::min(first + vertices_at_a_time, count), vertices_);
+    });
+}
+
+void TileRasterizer::sort_into_tiles(const Mesh& mesh, const View& view) {
+    const std::size_t count = mesh.triangles.size();
+    const std::size_t size = std::max(chunk_triangles, (count + most_chunks - 1) / most_chunks);
+    chunks_used_ = (count + size - 1) / size;
+    if (chunks_.size() < chunks_used_) {
+        chunks_.resize(chunks_used_);
+    }
+    pool_.run(chunks_used_, [&](std::size_t chunk, int) {
+        chunks_[chunk].fill(mesh, view, settings_, vertices_,
+                            static_cast<std::uint32_t>(chunk * size),
+                            static_cast<std::uint32_t>(std::min((chunk + 1) * size, count)));
+    });
+}
+
+void TileRasterizer::draw_tile(const Frame& frame, std::size_t tile, TileBuffer& buffer) {
+    const auto start = Clock::now();
+    const bool anything = find_visible(frame, tile, buffer);
+    const auto found = Clock::now();
+    if (anything) {
+        shade_tile(frame, buffer);
+    }
+    const auto shaded = Clock::now();
+    if (anything) {
+        write_tile(frame, buffer);
+    } else {
+        write_empty_tile(frame, buffer.x, buffer.y);
+    }
+    buffer.visibility_seconds += std::chrono::duration<double>(found - start).count();
+    buffer.shading_seconds += std::chrono::duration<double>(shaded - found).count();
+    buffer.output_seconds += seconds_since(shaded);
+}
+
+}  // namespace glint

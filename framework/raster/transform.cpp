@@ -1,0 +1,49 @@
+#include "framework/raster/transform.hpp"
+
+#include "framework/math/dispatch.hpp"
+
+namespace glint {
+namespace {
+
+// Every comparison is false for NaN, so what is not finite asks for clipping, which drops it.
+template <class T>
+auto has_place(const Vec4<T>& clip, const WindowPosition<T>& window) {
+    const T guard(static_cast<float>(guard_band));
+    return (clip.w >= T(smallest_w)) & (clip.z <= clip.w) & (window.x >= -guard) &
+           (window.x <= guard) & (window.y >= -guard) & (window.y <= guard);
+}
+
+template <int N>
+void transform_lanes(std::span<const glm::vec3> positions, const View& view, std::size_t i,
+                     VertexBuffer& out) {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+    const float* xyz = &positions[i].x;
+    const I third = iota<I>() * I(3);
+    const Vec4<T> clip = clip_position(view.clip_from_world, gather(xyz, third),
+                                       gather(xyz + 1, third), gather(xyz + 2, third));
+    const WindowPosition<T> window = window_position(clip, view);
+    const MaskOf<T> placed = has_place(clip, window);
+    store(&out.x[i],
+          select(placed, snap(select(placed, window.x, T(0.0F))), I(VertexBuffer::needs_clipping)));
+    store(&out.y[i], snap(select(placed, window.y, T(0.0F))));
+    store(&out.z[i], window.z);
+    store(&out.inverse_w[i], window.inverse_w);
+}
+
+}  // namespace
+
+void transform(std::span<const glm::vec3> positions, const View& view, int lanes, std::size_t first,
+               std::size_t last, VertexBuffer& out) {
+    with_lanes(lanes, [&]<int N>() {
+        std::size_t i = first;
+        for (; i + N <= last; i += N) {
+            transform_lanes<N>(positions, view, i, out);
+        }
+        for (; i < last; ++i) {
+            transform_lanes<1>(positions, view, i, out);
+        }
+    });
+}
+
+}  // namespace glint

@@ -76,6 +76,12 @@ struct VertexBuffer {
     std::vector<std::int32_t> x, y;
     std::vector<float> z, inverse_w;
 
+    void resize(std::size_t count) {
+        x.resize(count);
+        y.resize(count);
+        z.resize(count);
+        inverse_w.resize(count);
+    }
     ScreenVertex operator[](std::size_t i) const { return {x[i], y[i], z[i], inverse_w[i]}; }
 };
 

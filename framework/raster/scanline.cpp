@@ -2,11 +2,10 @@
 // colours, pixel by pixel. Scalar throughout, and no faster than it must be.
 #include "framework/raster/scanline.hpp"
 
-#include "framework/raster/clip.hpp"
+#include "framework/raster/assemble.hpp"
 #include "framework/raster/fragment.hpp"
 #include "framework/raster/interpolate.hpp"
 #include "framework/raster/scanline_rasterizer.hpp"
-#include "framework/raster/transform.hpp"
 #include "framework/image/srgb.hpp"
 
 #include <chrono>
@@ -20,12 +19,6 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-bool has_place(const VertexBuffer& vertices, const glm::uvec3& corners) {
-    return vertices.x[corners.x] != VertexBuffer::needs_clipping &&
-           vertices.x[corners.y] != VertexBuffer::needs_clipping &&
-           vertices.x[corners.z] != VertexBuffer::needs_clipping;
-}
-
 }  // namespace
 
 ScanlineRasterizer::ScanlineRasterizer(const Settings& settings)
@@ -35,7 +28,12 @@ Statistics ScanlineRasterizer::render(const Mesh& mesh, const View& view,
                                       std::span<const Shader> shaders, const Target& target) {
     Statistics statistics;
     const auto start = Clock::now();
-    assemble(mesh, view, statistics);
+    Assembly assembly = assemble(mesh, view);
+    triangles_ = std::move(assembly.triangles);
+    corners_of_ = no_triangle;
+    won_a_sample_.assign(mesh.triangles.size(), 0);
+    statistics.triangles_in = static_cast<std::int64_t>(mesh.triangles.size());
+    statistics.triangles_not_finite = assembly.not_finite;
     const auto assembled = Clock::now();
     find_visible(view);
     const auto found = Clock::now();
@@ -54,29 +52,6 @@ Statistics ScanlineRasterizer::render(const Mesh& mesh, const View& view,
     }
     statistics.frame_ms = milliseconds_since(start);
     return statistics;
-}
-
-void ScanlineRasterizer::assemble(const Mesh& mesh, const View& view, Statistics& statistics) {
-    VertexBuffer vertices;
-    const std::size_t count = mesh.positions.size();
-    vertices.x.resize(count);
-    vertices.y.resize(count);
-    vertices.z.resize(count);
-    vertices.inverse_w.resize(count);
-    transform(mesh.positions, view, 1, 0, count, vertices);
-    triangles_.clear();
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3 corners = mesh.triangles[i];
-        if (has_place(vertices, corners)) {
-            triangles_.push_back(
-                {.v = {vertices[corners.x], vertices[corners.y], vertices[corners.z]},
-                 .source = i});
-        } else if (!clip_triangle(mesh, i, view, vertices, triangles_)) {
-            ++statistics.triangles_not_finite;
-        }
-    }
-    statistics.triangles_in = static_cast<std::int64_t>(mesh.triangles.size());
-    won_a_sample_.assign(mesh.triangles.size(), 0);
 }
 
 void ScanlineRasterizer::find_visible(const View& view) {

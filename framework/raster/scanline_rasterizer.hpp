@@ -19,7 +19,6 @@ class ScanlineRasterizer {
                       const Target& target);
 
   private:
-    void assemble(const Mesh& mesh, const View& view, Statistics& statistics);
     void find_visible(const View& view);
     void draw(std::int32_t index, std::size_t sample, const View& view);
     void shade_row(const Mesh& mesh, std::span<const Shader> shaders, const Target& target, int y,

@@ -67,10 +67,7 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
 
 void TileRasterizer::transform_vertices(const Mesh& mesh, const View& view) {
     const std::size_t count = mesh.positions.size();
-    vertices_.x.resize(count);
-    vertices_.y.resize(count);
-    vertices_.z.resize(count);
-    vertices_.inverse_w.resize(count);
+    vertices_.resize(count);
     const std::size_t parts = (count + vertices_at_a_time - 1) / vertices_at_a_time;
     pool_.run(parts, [&](std::size_t part, int) {
         const std::size_t first = part * vertices_at_a_time;

@@ -1,0 +1,65 @@
+// The command line of every lesson program.
+#pragma once
+
+#include "framework/scene/scene.hpp"
+#include "framework/raster/pipeline.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace glint {
+
+// A number that a lesson lets its user move.
+struct Parameter {
+    std::string name;
+    float value;
+    float low, high;
+    std::string meaning;
+};
+
+class Parameters {
+  public:
+    Parameters() = default;
+    Parameters(std::initializer_list<Parameter> all) : all_(all) {}
+    // The value of a parameter that the lesson declared; Error for other names.
+    float operator[](std::string_view name) const;
+    // Error for unknown names and values beyond the parameter's limits.
+    void set(std::string_view name, float value);
+    std::vector<Parameter>& all() { return all_; }
+    const std::vector<Parameter>& all() const { return all_; }
+
+  private:
+    std::vector<Parameter> all_;
+};
+
+enum class ViewMode { shaded, normal, depth, triangle, overdraw, tiles };
+
+struct Options {
+    std::string scene_file;  // empty: the lesson's stage
+    std::optional<glm::vec3> kd, ks;
+    std::optional<float> ns;
+    int width = 960, height = 540;
+    std::optional<glm::vec3> eye, target, up;
+    std::optional<float> fov, near, far;
+    std::vector<DirectionalLight> lights;
+    std::vector<PointLight> point_lights;
+    std::optional<glm::vec3> ambient;
+    Settings settings;
+    ViewMode view = ViewMode::shaded;
+    std::vector<std::string> outs;
+    int frames = 1;
+    std::string stats;  // file, "-" for standard output, empty for none
+    std::optional<std::pair<int, int>> probe;
+    std::string compare;
+    bool window = false;
+    Parameters parameters;
+};
+
+// What is asked for, with Error for what cannot be. --help prints and ends the program with 0.
+Options parse_options(int argc, const char* const* argv, const std::string& name,
+                      const std::string& title, const Parameters& parameters);
+
+}  // namespace glint

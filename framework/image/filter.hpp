@@ -20,7 +20,7 @@ inline int inside(int i, int size, Border border) {
     return std::min(phase, period - 1 - phase);
 }
 
-// sum = sum + weight * row, from..: the loop that all the time goes to.
+// Adds weight times each value of row: the loop that nearly all the time goes to.
 template <class T>
 void add_weighted(std::span<T> sum, T weight, const T* row) {
     for (std::size_t x = 0; x < sum.size(); ++x) {
@@ -36,8 +36,9 @@ Image<T> filter_rows(const Image<T>& in, const std::vector<T>& weights, Border b
     Image<T> out(in.width(), in.height());
     std::vector<T> padded(static_cast<std::size_t>(in.width()) + weights.size());
     for (int y = 0; y < in.height(); ++y) {
+        auto to = padded.begin();
         for (int x = -radius; x < in.width() + radius; ++x) {
-            padded[static_cast<std::size_t>(x + radius)] = in(inside(x, in.width(), border), y);
+            *to++ = in(inside(x, in.width(), border), y);
         }
         for (std::size_t i = 0; i < weights.size(); ++i) {
             add_weighted(out.row(y), weights[i], &padded[i]);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace glint {
 namespace {
@@ -67,7 +68,7 @@ Table heat_table() {
 Rgba8 heat_colour(float error) {
     static const Table table = heat_table();
     const float shown = error < 1.0F ? std::max(error, 0.0F) : 1.0F;  // NaN is not below 1
-    return table[static_cast<std::size_t>(shown * 255.0F + 0.5F)];
+    return table[static_cast<std::size_t>(std::lround(shown * 255.0F))];
 }
 
 SrgbImage heat_map(const Image<float>& error) {

@@ -104,14 +104,15 @@ void append(void* file, void* bytes, int size) {
 
 std::vector<std::byte> encode(const SrgbImage& image) {
     std::vector<std::byte> file;
+    constexpr int packed = 0;  // rows follow each other without a gap
     int done = 0;
     if (is_opaque(image)) {
         const auto codes = without_alpha(image);
         done = stbi_write_png_to_func(append, &file, image.width(), image.height(), 3, codes.data(),
-                                      image.width() * 3);
+                                      packed);
     } else {
         done = stbi_write_png_to_func(append, &file, image.width(), image.height(), 4,
-                                      image.pixels().data(), image.width() * 4);
+                                      image.pixels().data(), packed);
     }
     if (done == 0) {
         throw std::bad_alloc();

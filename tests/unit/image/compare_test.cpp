@@ -77,6 +77,10 @@ TEST_CASE("JSON in a file leaves the table on standard output") {
     CHECK(result.out.find("92 57") != std::string::npos);
 }
 
+Run run_with_limit(const TemporaryFolder& folder, const char* option, const char* limit) {
+    return run(folder, sphere + noise + "--json - " + option + " " + limit);
+}
+
 TEST_CASE("each limit is kept where met and named where passed") {
     const TemporaryFolder folder;
     const struct {
@@ -90,9 +94,8 @@ TEST_CASE("each limit is kept where met and named where passed") {
                   {"--max-over-one", "0.996", "0.995"}};
     for (const auto& limit : limits) {
         CAPTURE(limit.name);
-        const std::string option = std::string(limit.name) + " ";
-        CHECK(run(folder, sphere + noise + option + limit.met).status == 0);
-        const Run result = run(folder, sphere + noise + option + limit.passed + " --json -");
+        CHECK(run_with_limit(folder, limit.name, limit.met).status == 0);
+        const Run result = run_with_limit(folder, limit.name, limit.passed);
         CHECK(result.status == 1);
         CHECK(is_one_line(result.err));
         CHECK(result.err.find(limit.name) != std::string::npos);

@@ -30,6 +30,12 @@ I pixel_row(I pixel) {
     return ((pixel >> 6) & I(60)) | ((pixel >> 2) & I(3));
 }
 
+inline std::size_t pixel_place(int column, int row) {
+    const int block = (row / block_size) * tile_blocks + column / block_size;
+    return static_cast<std::size_t>(block * block_pixels + (row % block_size) * block_size +
+                                    column % block_size);
+}
+
 // All that a frame's stages share; read-only while tiles are drawn.
 struct Frame {
     const Mesh* mesh;

@@ -1,12 +1,14 @@
 // The transfer curve of sRGB, IEC 61966-2-1: linear radiometric values to 8-bit codes and back.
 #pragma once
 
-#include <algorithm>
+#include "framework/math/polynomial.hpp"
+
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace glint {
 
@@ -49,34 +51,70 @@ inline constexpr auto linear_of_code = [] {
     return linear;
 }();
 
-// thresholds[k] is the least float whose code is k + 1: the first at or above the linear value that
-// is encoded half way from k to k + 1.
-inline constexpr auto thresholds = [] {
-    std::array<float, 255> least{};
-    for (std::size_t k = 0; k < least.size(); ++k) {
-        const double exact = srgb_decode((static_cast<double>(k) + 0.5) / 255.0);
-        least[k] = static_cast<float>(exact);
-        if (static_cast<double>(least[k]) < exact) {
-            least[k] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(least[k]) + 1);
+// The least float whose code is higher: the first at or above the linear value that is encoded half
+// way to the next code.
+inline constexpr auto end_of_code = [] {
+    std::array<float, 256> end{};
+    for (std::size_t code = 0; code < 255; ++code) {
+        const double exact = srgb_decode((static_cast<double>(code) + 0.5) / 255.0);
+        end[code] = static_cast<float>(exact);
+        if (static_cast<double>(end[code]) < exact) {
+            end[code] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(end[code]) + 1);
         }
     }
-    return least;
+    end[255] = std::numeric_limits<float>::infinity();
+    return end;
 }();
 
+// 255 * 1.055 * 2^(e/2.4) for e = -15 to 0.
+inline constexpr auto scale_of_octave = [] {
+    std::array<float, 16> scale{};
+    double power = 255.0 * 1.055;
+    for (std::size_t i = scale.size(); i-- > 0; power /= 1.3348398541700344) {  // 2^(1/2.4)
+        scale[i] = static_cast<float>(power);
+    }
+    return scale;
+}();
+
+// 255 times the curve, for 0 <= x <= 1, to 1/8000 of a code.
+template <class F>
+F approximate_code(F x) {
+    using I = IntOf<F>;
+    const I bits = bits_of(x);
+    const F mantissa = float_from_bits((bits & I(0x7fffff)) | I(0x3f800000));
+    // mantissa^(1/2.4): a minimax fit of degree 6, relative error 1.9e-7.
+    const F power = polynomial(mantissa, 0.350306869F, 1.06413138F, -0.687737048F, 0.390423328F,
+                               -0.145197615F, 0.0309279542F, -0.00285470439F);
+    const F scale = lookup16(scale_of_octave.data(), bits >> 23);
+    const F curve = fma(scale, power, F(-255.0F * 0.055F));
+    return select(x <= F(0.0031308F), x * F(255.0F * 12.92F), curve);
+}
+
 }  // namespace srgb
+
+// The code, 0..255, nearest to 255 times the curve as if computed exactly; 0 for NaN. F is float or
+// lanes.
+template <class F>
+IntOf<F> srgb_code(F linear) {
+    using I = IntOf<F>;
+    const F x = min(max(linear, F(0.0F)), F(1.0F));
+    const F code = srgb::approximate_code(x);
+    constexpr float doubt = 0x1p-12F;
+    const I low = truncate_to_int(code + F(0.5F - doubt));
+    const I high = truncate_to_int(code + F(0.5F + doubt));
+    if (all(low == high)) [[likely]] {
+        return low;
+    }
+    return low + select(x >= gather(srgb::end_of_code.data(), low), I(1), I(0));
+}
+
+inline std::uint8_t linear_to_srgb(float linear) {
+    return static_cast<std::uint8_t>(srgb_code(linear));
+}
 
 // The linear value, 0..1, that a code stands for.
 inline float srgb_to_linear(std::uint8_t code) {
     return srgb::linear_of_code[code];
-}
-
-// The code nearest to 255 times the curve, as if computed exactly; 0 for NaN.
-inline std::uint8_t linear_to_srgb(float linear) {
-    if (std::isnan(linear)) {
-        return 0;
-    }
-    const auto above = std::ranges::upper_bound(srgb::thresholds, linear);
-    return static_cast<std::uint8_t>(above - srgb::thresholds.begin());
 }
 
 }  // namespace glint

@@ -1,8 +1,10 @@
 // Stage 5 of the tile rasterizer: a tile into the target's pictures.
 #include "framework/raster/tile.hpp"
 #include "framework/image/srgb.hpp"
+#include "framework/math/dispatch.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace glint {
 namespace {
@@ -11,61 +13,100 @@ Rgba8 encode(const Rgb<float>& c) {
     return {linear_to_srgb(c.r), linear_to_srgb(c.g), linear_to_srgb(c.b), 255};
 }
 
-// Calls visit(x, y, pixel) for the pixels of the tile that are inside the window.
-template <class Visit>
-void for_each_pixel(const Frame& frame, int x, int y, Visit&& visit) {
-    const int columns = std::min(tile_size, frame.view.width - x);
-    const int rows = std::min(tile_size, frame.view.height - y);
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-            const int block = (row / block_size) * tile_blocks + column / block_size;
-            const int within = (row % block_size) * block_size + column % block_size;
-            visit(x + column, y + row, static_cast<std::size_t>(block * block_pixels + within));
+// The part of a tile that lies inside the window.
+struct Extent {
+    int columns, rows;
+};
+Extent extent(const Frame& frame, int x, int y) {
+    return {std::min(tile_size, frame.view.width - x), std::min(tile_size, frame.view.height - y)};
+}
+
+// Encodes a band of four rows, block by block, into codes row by row.
+template <int N>
+void encode_band(const TileBuffer& tile, int band,
+                 std::array<std::uint32_t, 4 * tile_size>& codes) {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+    for (int block = 0; block < tile_blocks; ++block) {
+        alignas(64) std::int32_t of_block[block_pixels];
+        const std::size_t first = pixel_place(block * block_size, band * block_size);
+        for (std::size_t i = 0; i < block_pixels; i += N) {
+            const I r = srgb_code(load<T>(&tile.colour[0][first + i]));
+            const I g = srgb_code(load<T>(&tile.colour[1][first + i]));
+            const I b = srgb_code(load<T>(&tile.colour[2][first + i]));
+            store(of_block + i, r | (g << 8) | (b << 16) | I(static_cast<int>(0xFF000000U)));
+        }
+        for (std::size_t row = 0; row < block_size; ++row) {
+            std::memcpy(&codes[row * tile_size + static_cast<std::size_t>(block) * block_size],
+                        of_block + row * block_size, block_size * sizeof(std::int32_t));
+        }
+    }
+}
+
+template <int N>
+void write_srgb(const Frame& frame, const TileBuffer& tile) {
+    static_assert(sizeof(Rgba8) == 4);
+    const auto [columns, rows] = extent(frame, tile.x, tile.y);
+    std::array<std::uint32_t, 4 * tile_size> codes;
+    for (int y = 0; y < rows; ++y) {
+        if (y % block_size == 0) {
+            encode_band<N>(tile, y / block_size, codes);
+        }
+        std::memcpy(&(*frame.target.srgb)(tile.x, tile.y + y),
+                    &codes[static_cast<std::size_t>(y % block_size) * tile_size],
+                    static_cast<std::size_t>(columns) * sizeof(Rgba8));
+    }
+}
+
+// Calls value(place of the pixel in the tile) for each pixel inside the window.
+template <class Pixel, class Value>
+void write(const Frame& frame, const TileBuffer& tile, Image<Pixel>* image, Value&& value) {
+    if (image == nullptr) {
+        return;
+    }
+    const auto [columns, rows] = extent(frame, tile.x, tile.y);
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) {
+            (*image)(tile.x + x, tile.y + y) = value(pixel_place(x, y));
         }
     }
 }
 
 template <class Pixel>
-void fill_tile(const Frame& frame, int x, int y, Image<Pixel>* image, const Pixel& value) {
-    if (image != nullptr) {
-        for_each_pixel(frame, x, y, [&](int px, int py, std::size_t) { (*image)(px, py) = value; });
+void fill(const Frame& frame, int x, int y, Image<Pixel>* image, const Pixel& value) {
+    if (image == nullptr) {
+        return;
+    }
+    const auto [columns, rows] = extent(frame, x, y);
+    for (int row = 0; row < rows; ++row) {
+        std::fill_n(&(*image)(x, y + row), columns, value);
     }
 }
 
 }  // namespace
 
-void write_tile(const Frame& frame, const TileBuffer& buffer) {
-    const Target& target = frame.target;
-    for_each_pixel(frame, buffer.x, buffer.y, [&](int x, int y, std::size_t pixel) {
-        const Rgb<float> c{buffer.colour[0][pixel], buffer.colour[1][pixel],
-                           buffer.colour[2][pixel]};
-        if (target.srgb != nullptr) {
-            (*target.srgb)(x, y) = encode(c);
-        }
-        if (target.linear != nullptr) {
-            (*target.linear)(x, y) = c;
-        }
-        const bool there = buffer.depth[pixel] > 0.0F;
-        if (target.depth != nullptr) {
-            (*target.depth)(x, y) = buffer.depth[pixel];
-        }
-        if (target.triangle != nullptr) {
-            (*target.triangle)(x, y) = no_triangle;
-            if (there) {
-                const auto owner = static_cast<std::size_t>(buffer.owner[pixel]);
-                (*target.triangle)(x, y) =
-                    static_cast<std::int32_t>(source_of(frame, buffer.triangles[owner]));
-            }
-        }
+void write_tile(const Frame& frame, const TileBuffer& tile) {
+    if (frame.target.srgb != nullptr) {
+        with_lanes(frame.settings.lanes, [&]<int N>() { write_srgb<N>(frame, tile); });
+    }
+    write(frame, tile, frame.target.linear, [&](std::size_t at) {
+        return Rgb<float>(tile.colour[0][at], tile.colour[1][at], tile.colour[2][at]);
+    });
+    write(frame, tile, frame.target.depth, [&](std::size_t at) { return tile.depth[at]; });
+    write(frame, tile, frame.target.triangle, [&](std::size_t at) {
+        const auto owner = static_cast<std::size_t>(tile.owner[at]);
+        return tile.depth[at] > 0.0F
+                   ? static_cast<std::int32_t>(source_of(frame, tile.triangles[owner]))
+                   : no_triangle;
     });
 }
 
 void write_empty_tile(const Frame& frame, int x, int y) {
     const Target& target = frame.target;
-    fill_tile(frame, x, y, target.srgb, encode(target.background));
-    fill_tile(frame, x, y, target.linear, target.background);
-    fill_tile(frame, x, y, target.depth, 0.0F);
-    fill_tile(frame, x, y, target.triangle, no_triangle);
+    fill(frame, x, y, target.srgb, encode(target.background));
+    fill(frame, x, y, target.linear, target.background);
+    fill(frame, x, y, target.depth, 0.0F);
+    fill(frame, x, y, target.triangle, no_triangle);
 }
 
 }  // namespace glint

@@ -11,32 +11,44 @@ glm::mat4 at(const glm::vec3& position, float scale = 1.0F) {
     return glm::scale(glm::translate(glm::mat4(1.0F), position), glm::vec3(scale));
 }
 
+// A shape that lies round the y axis, set on its edge and turned towards the eye.
+glm::mat4 standing(const glm::vec3& position, float scale) {
+    return glm::rotate(at(position, scale), 1.45F, glm::vec3(1, 0.25F, 0));
+}
+
 }  // namespace
 
 Scene still_life() {
     Scene s;
     s.materials = {
-        {.name = "ground", .diffuse = {0.35F, 0.36F, 0.38F}, .exponent = 30.0F},
-        {.name = "clay", .diffuse = {0.75F, 0.22F, 0.13F}, .exponent = 60.0F},
-        {.name = "porcelain", .diffuse = {0.80F, 0.78F, 0.70F}, .exponent = 200.0F},
-        {.name = "paint", .diffuse = {0.08F, 0.25F, 0.60F}, .exponent = 20.0F},
+        {.name = "table", .diffuse = {0.32F, 0.30F, 0.28F}, .exponent = 30.0F},
+        {.name = "clay", .diffuse = {0.62F, 0.20F, 0.11F}, .specular = Rgb<float>(0.35F)},
+        {.name = "porcelain",
+         .diffuse = {0.60F, 0.58F, 0.52F},
+         .specular = Rgb<float>(0.5F),
+         .exponent = 120.0F},
+        {.name = "paint",
+         .diffuse = {0.07F, 0.20F, 0.48F},
+         .specular = Rgb<float>(0.45F),
+         .exponent = 25.0F},
     };
-    s.mesh = plane(40.0F, 40.0F, 1, 1);
+    const glm::vec2 table[] = {{0, -0.3F}, {5.0F, -0.3F}, {5.2F, -0.1F}, {5.1F, 0}, {0, 0}};
+    s.mesh = surface_of_revolution(table, 128);
     s.mesh.materials.assign(s.mesh.triangles.size(), 0);
-    append(s.mesh, transform(sphere(1.0F, 96, 48), at({-2.6F, 1.0F, 0.2F})), 1);
-    append(s.mesh, transform(teapot(12), at({0.0F, 0.0F, 0.0F}, 0.62F)), 2);
-    append(s.mesh, transform(torus_knot({}, 256, 24), at({2.8F, 1.15F, 0.0F}, 0.55F)), 3);
+    append(s.mesh, transform(sphere(1.0F, 96, 48), at({-2.7F, 1.0F, 0.1F})), 1);
+    append(s.mesh, transform(teapot(12), at({-0.1F, 0.0F, 0.0F}, 0.58F)), 2);
+    append(s.mesh, transform(torus_knot({}, 256, 24), standing({2.75F, 1.0F, -0.1F}, 0.68F)), 3);
     s.lighting.directional = {
-        {normalize(glm::vec3(-0.5F, 0.9F, 0.6F)), Rgb<float>(1.9F, 1.85F, 1.75F)},
-        {normalize(glm::vec3(0.8F, 0.35F, 0.4F)), Rgb<float>(0.35F, 0.42F, 0.55F)},
+        {normalize(glm::vec3(-0.55F, 0.75F, 0.6F)), Rgb<float>(1.0F, 0.97F, 0.92F)},
+        {normalize(glm::vec3(0.85F, 0.35F, 0.25F)), Rgb<float>(0.16F, 0.20F, 0.28F)},
     };
-    s.lighting.ambient = Rgb<float>(0.06F, 0.07F, 0.09F);
-    s.camera = {.eye = {0.3F, 2.3F, 7.6F},
-                .target = {0.1F, 0.85F, 0.0F},
-                .fov_degrees = 32.0F,
+    s.lighting.ambient = Rgb<float>(0.05F, 0.055F, 0.065F);
+    s.camera = {.eye = {0.3F, 2.5F, 8.6F},
+                .target = {0.0F, 0.78F, 0.0F},
+                .fov_degrees = 29.5F,
                 .near = 1.0F,
-                .far = 60.0F};
-    s.background = Rgb<float>(0.012F, 0.014F, 0.018F);
+                .far = 40.0F};
+    s.background = Rgb<float>(0.010F, 0.012F, 0.016F);
     return s;
 }
 

@@ -5,8 +5,8 @@
 
 namespace glint::stages {
 
-// A sphere, the teapot and a torus knot on a ground plane, each of its own material, seen at a
-// height that leaves the ground at a grazing angle. A key light and a fill light, some ambient.
+// A sphere, the teapot and a torus knot on a round table, each of its own material, seen at a
+// height that leaves the table at a grazing angle. A key light and a fill light, some ambient.
 Scene still_life();
 
 }  // namespace glint::stages

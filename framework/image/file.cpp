@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -83,7 +84,7 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
         reason = replace_file(path, bytes);
     } else if (!fs::is_regular_file(path, ignored)) {
         reason = write_bytes(path, bytes);
-    } else if (::access(path.c_str(), W_OK) != 0) {
+    } else if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
         reason = errno;
     } else {
         reason = replace_file(fs::canonical(path, ignored), bytes);  // a link stays a link

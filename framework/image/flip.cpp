@@ -34,7 +34,7 @@ Image<float> flip_map(const SrgbImage& reference, const SrgbImage& test, float p
     const Image<float> features = flip::feature_difference(a[0], b[0], pixels_per_degree);
     std::ranges::transform(map.pixels(), features.pixels(), map.pixels().begin(),
                            [](float colour, float feature) {
-                               // Equation 10: features make a difference of colour count more.
+                               // The final difference: features make one of colour count more.
                                return std::pow(colour, std::max(1.0F - feature, 0.0F));
                            });
     return map;

@@ -1,6 +1,6 @@
 // FLIP: how different two pictures look when one flips between them. P. Andersson, J. Nilsson,
 // T. Akenine-Moeller, M. Oskarsson, K. Astroem, M. Fairchild, "FLIP: A Difference Evaluator for
-// Alternating Images", HPG 2020. Section and equation numbers are the paper's.
+// Alternating Images", HPG 2020. The steps have the paper's names.
 #pragma once
 
 #include "framework/image/image.hpp"

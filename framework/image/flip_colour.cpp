@@ -8,9 +8,10 @@
 namespace glint::flip {
 namespace {
 
-// ---- what the eye resolves (section 4.1.1) -------------------------------------------------
+// ---- spatial filtering: what the eye resolves ----------------------------------------------
 
-// Table 1: a and b, in square degrees, of the contrast sensitivity of a channel, equation 3.
+// A channel's contrast sensitivity is the sum of a sqrt(pi / b) exp(-pi^2 x^2 / b) over its
+// Gaussians; x in degrees.
 struct Gaussian {
     double a, b;
 };
@@ -53,9 +54,9 @@ Opponent resolved(const Opponent& planes, double pixels_per_degree) {
             blurred(planes[1], profile(cx_sensitivity, pixels_per_degree)), std::move(cz)};
 }
 
-// ---- how far apart colours look (section 4.1.2 and 4.1.3) ----------------------------------
+// ---- how far apart colours look ------------------------------------------------------------
 
-// CIELAB of a colour of the screen, less colourful where dark: equation 4, after Hunt.
+// CIELAB of a colour of the screen, less colourful where dark: the Hunt adjustment.
 glm::vec3 perceived(const Rgb<float>& rgb) {
     const glm::vec3 lab = cielab(xyz_from_rgb(rgb));
     return {lab.x, 0.01F * lab.x * lab.y, 0.01F * lab.x * lab.z};
@@ -67,13 +68,13 @@ glm::vec3 perceived(const Opponent& planes, std::size_t pixel) {
     return perceived(clamp(rgb_from_xyz(from_opponent(ycxcz)), 0.0F, 1.0F));
 }
 
-// Equation 5: city-block in lightness, Euclidean in hue and chroma, for large distances.
+// HyAB, which holds for large distances: city-block in lightness, Euclidean in hue and chroma.
 float hyab(const glm::vec3& p, const glm::vec3& q) {
     const glm::vec3 d = p - q;
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
 }
 
-// Equation 6 and 7: compressed by the power 0.7, then 0..0.4 of the largest possible difference
+// Error redistribution: compressed by the power 0.7, then 0..0.4 of the largest possible difference
 // spread over 0..0.95 and the rest over 0.95..1.
 float error_from_distance(float distance) {
     constexpr float power = 0.7F;

@@ -12,10 +12,10 @@ using Plane = Image<float>;
 using Weights = std::vector<float>;
 using Opponent = std::array<Plane, 3>;  // Y, Cx and Cz of colour.hpp
 
-// Section 4.1: the difference of the colours that the eye resolves at this distance, 0..1.
+// The colour pipeline: the difference of the colours that the eye resolves at this distance, 0..1.
 Plane colour_difference(const Opponent& reference, const Opponent& test, float pixels_per_degree);
 
-// Section 4.2: the difference of edges and points in the achromatic channel Y, 0..1.
+// The feature pipeline: the difference of edges and points in the achromatic channel Y, 0..1.
 Plane feature_difference(const Plane& reference, const Plane& test, float pixels_per_degree);
 
 // The values of function(x) for x = -radius..radius.

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <csignal>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace glint {
@@ -75,9 +77,11 @@ TEST_CASE("errors name the path and the reason") {
 TEST_CASE("permissions are kept") {
     const TemporaryFolder folder;
     write_file(folder / "secret", bytes_of("a"));
-    write_file(folder / "fixed", bytes_of("a"));
     fs::permissions(folder / "secret", fs::perms::none);
-    fs::permissions(folder / "fixed", fs::perms(0444));
+    fs::create_directory(folder / "open");
+    write_file(folder / "open/fixed", bytes_of("a"));
+    fs::permissions(folder / "open/fixed", fs::perms(0444));
+    fs::permissions(folder / "open", fs::perms(0777));
     fs::permissions(folder / "", fs::perms(0555));
     {
         const NoPrivilege user;
@@ -87,22 +91,45 @@ TEST_CASE("permissions are kept") {
         }
         CHECK_THROWS_WITH_AS(read_file(folder / "secret"), Contains("Permission denied"), Error);
         CHECK_THROWS_WITH_AS(write_file(folder / "new", {}), Contains("Permission denied"), Error);
-        CHECK_THROWS_WITH_AS(write_file(folder / "fixed", {}), Contains("Permission denied"),
+        CHECK_THROWS_WITH_AS(write_file(folder / "open/fixed", {}), Contains("Permission denied"),
                              Error);
     }
     fs::permissions(folder / "", fs::perms(0755));
-    CHECK(read_file(folder / "fixed") == bytes_of("a"));
+    CHECK(read_file(folder / "open/fixed") == bytes_of("a"));
     CHECK(folder.count() == 2);
 }
 
-TEST_CASE("a write that fails leaves the old file and nothing else") {
+// No file may grow beyond some bytes: a disk that is full.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t size) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{size, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        (void)std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+TEST_CASE("a write that fails half way leaves the old file and nothing else") {
     const TemporaryFolder folder;
-    fs::create_directory(folder / "a");
-    fs::create_directory(folder / "a/b");
-    // A folder cannot be replaced, and a name of 300 characters cannot be made.
-    CHECK_THROWS_AS(write_file(folder / "a", bytes_of("new")), Error);
+    write_file(folder / "a", bytes_of("old"));
+    for (const std::size_t size : {std::size_t{1001}, std::size_t{1} << 20}) {
+        const FullDisk disk(1000);
+        CHECK_THROWS_WITH_AS(write_file(folder / "a", Bytes(size)), Contains("File too large"),
+                             Error);
+    }
     CHECK_THROWS_WITH_AS(write_file(folder / std::string(300, 'x'), {}),
                          Contains("File name too long"), Error);
+    CHECK(read_file(folder / "a") == bytes_of("old"));
     CHECK(folder.count() == 1);
 }
 

@@ -109,6 +109,7 @@ TEST_CASE("values that look like white space are values") {
     const std::vector<std::uint32_t> expected(3, 0x200A0D0A);
     CHECK(bits_of_image(read("Pf 1 1 -1\n", value)) == expected);
     CHECK(bits_of_image(read("Pf 1 1 -1\r\n", value)) == expected);
+    CHECK(bits_of_image(read("Pf 1 1 -1\r", value)) == expected);
 }
 
 TEST_CASE("a bad header is an error that says what is bad") {

@@ -12,7 +12,8 @@ namespace glint::oracle {
 using Emit = std::function<void(int sample, int triangle, int y, int x_begin, int x_end)>;
 
 // Emits what is covered, each pixel once for each triangle and sample, in any order and in pieces
-// of any length. Samples are numbered as in sample_positions().
+// of any length; one that ends where it begins, or before, is nothing. Samples are numbered as in
+// sample_positions().
 using Rasterizer = std::function<void(std::span<const Triangle> triangles, int width, int height,
                                       int samples, const Emit& emit)>;
 

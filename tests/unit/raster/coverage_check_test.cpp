@@ -14,6 +14,7 @@ using Covers = std::function<bool(const Triangle&, Point sample)>;
 Rasterizer pixel_by_pixel(const Covers& question) {
     return [question](std::span<const Triangle> triangles, int width, int height, int samples,
                       const Emit& emit) {
+        const auto positions = sample_positions(samples);
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const Triangle& t = triangles[i];
             const auto [left, right] = std::minmax({t[0].x, t[1].x, t[2].x});
@@ -23,7 +24,7 @@ Rasterizer pixel_by_pixel(const Covers& question) {
             for (int y = std::max(top / 256 - 1, 0); y < y_end; ++y) {
                 for (int x = std::max(left / 256 - 1, 0); x < x_end; ++x) {
                     for (int s = 0; s < samples; ++s) {
-                        const Point p = sample_positions(samples)[static_cast<std::size_t>(s)];
+                        const Point p = positions[static_cast<std::size_t>(s)];
                         if (question(t, {x * 256 + p.x, y * 256 + p.y})) {
                             emit(s, static_cast<int>(i), y, x, x + 1);
                         }
@@ -48,6 +49,7 @@ void right_in_pieces(std::span<const Triangle> triangles, int width, int height,
                 const int middle = (run.x_begin + run.x_end) / 2;
                 emit(s, i, run.y, middle, run.x_end);
                 emit(s, i, run.y, run.x_begin, middle);
+                emit(s, i, run.y, run.x_end, run.x_begin);  // no pixels
             }
         }
     }

@@ -1,0 +1,34 @@
+// The geometry of a reflection: what an isotropic BRDF depends on.
+#pragma once
+
+#include "framework/math/vec.hpp"
+
+namespace glint {
+
+// The cosines between the surface normal N, the direction towards the light L and the direction
+// towards the viewer V, all of unit length. An isotropic BRDF depends on nothing else.
+template <Real T>
+struct Incidence {
+    T NL, NV, LV;
+};
+
+template <Real T>
+Incidence<T> incidence(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V) {
+    return {dot(N, L), dot(N, V), dot(L, V)};
+}
+
+// V.R, where R = 2 (N.L) N - L is the mirror direction of L. Symmetric in L and V.
+// Rounding can take it beyond 1 by a few units in the last place.
+template <Real T>
+T v_dot_r(const Incidence<T>& g) {
+    return T(2.0F) * g.NL * g.NV - g.LV;
+}
+
+// L.H = V.H, where H = normalize(L + V) is half way between them: the cosine of half their angle,
+// by cos(a/2)^2 = (1 + cos a)/2. 0 where L = -V.
+template <Real T>
+T l_dot_h(const Incidence<T>& g) {
+    return sqrt(max(T(0.5F) + T(0.5F) * g.LV, T(0.0F)));
+}
+
+}  // namespace glint

@@ -1,0 +1,55 @@
+// Lesson 14: the more is reflected at the surface, the less is left to enter and come out diffuse.
+//
+//     Cd' = Cd (1 - F(theta_i))    conserves energy at every angle; not reciprocal
+//     Cd' = Cd (1 - F0)            reciprocal; with F(theta_i) in the lobe, above 1 near grazing
+#pragma once
+
+#include "lessons/08_normalised_lambert/normalised_lambert.hpp"
+#include "lessons/09_normalised_phong/normalised_phong.hpp"
+#include "lessons/12_schlick/schlick.hpp"
+
+namespace glint {
+
+// The diffuse part, in 1/sr, by the light's angle.
+template <Real T>
+Rgb<T> diffuse_by_angle(const Rgb<T>& Cd, const Rgb<T>& F0, const Incidence<T>& g) {
+    // SOLUTION 14.1
+    return Cd * (Rgb<T>(T(1.0F)) - schlick(F0, g.NL)) * inverse_pi<T>;
+    // HANDOUT
+    // return Cd * inverse_pi<T>;  // TODO 14.1: less what the surface reflects
+    // END
+}
+
+// The diffuse part, in 1/sr, by F0: what the slides settle on.
+template <Real T>
+Rgb<T> diffuse_by_f0(const Rgb<T>& Cd, const Rgb<T>& F0) {
+    // SOLUTION 14.2
+    return Cd * (Rgb<T>(T(1.0F)) - F0) * inverse_pi<T>;
+    // HANDOUT
+    // return Cd * inverse_pi<T>;  // TODO 14.2: less what the surface reflects along the normal
+    // END
+}
+
+// The specular part: the lobe, coloured by Schlick's reflectance at the light's angle.
+template <Real T>
+Rgb<T> specular_by_angle(const Rgb<T>& F0, const T& n, const Incidence<T>& g) {
+    // SOLUTION 14.3
+    return schlick(F0, g.NL) * normalised_phong(g, n);
+    // HANDOUT
+    // return F0 * normalised_phong(g, n);  // TODO 14.3: Fresnel at the light's angle
+    // END
+}
+
+// Which of the two diffuse parts.
+struct CombinedByAngle {
+    Rgb<float> Cd, F0;
+    float n;
+    template <Real T>
+    Rgb<T> operator()(const Incidence<T>& g) const {
+        const Rgb<T> f0(F0);
+        return diffuse_by_angle(Rgb<T>(Cd), f0, g) + specular_by_angle(f0, T(n), g);
+    }
+    Rgb<float> ambient_albedo() const { return Cd * (Rgb<float>(1.0F) - F0); }
+};
+
+}  // namespace glint

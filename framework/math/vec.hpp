@@ -26,53 +26,80 @@ using Vec4 = glm::vec<4, T>;
 template <class T>
 using Rgb = glm::vec<3, T>;  // linear radiometric values of the sRGB primaries
 
-// Uniforms are floats; a uniform times a value of the shader's number type needs no cast.
-template <class T>
-concept Wider = Real<T> && !std::same_as<T, float>;
+// Uniforms are floats, and a literal may be an int or, among lanes, a double; together with the
+// shader's number type they need no cast.
+template <class A, class B>
+concept Widens = Real<A> && !std::same_as<A, B> && (std::same_as<B, float> || std::integral<B> ||
+                                                    (is_lanes<A> && std::same_as<B, double>));
+template <class A, class B>
+concept Mixed = Widens<A, B> || Widens<B, A>;
+template <class A, class B>
+using WiderOf = std::conditional_t<Widens<A, B>, A, B>;
+template <int L, class A, class B>
+using WiderVec = glm::vec<L, WiderOf<A, B>>;
 
-template <int L, Wider T>
-glm::vec<L, T> operator*(const glm::vec<L, float>& uniform, const T& x) {
-    return glm::vec<L, T>(uniform) * x;
+template <int L, Real A, Real B>
+requires Mixed<A, B>
+auto operator+(const glm::vec<L, A>& a, const glm::vec<L, B>& b) {
+    return WiderVec<L, A, B>(a) + WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator*(const T& x, const glm::vec<L, float>& uniform) {
-    return x * glm::vec<L, T>(uniform);
+template <int L, Real A, class B>
+requires Mixed<A, B>
+auto operator+(const glm::vec<L, A>& a, const B& b) {
+    return WiderVec<L, A, B>(a) + WiderOf<A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator*(const glm::vec<L, float>& uniform, const glm::vec<L, T>& x) {
-    return glm::vec<L, T>(uniform) * x;
+template <int L, class A, Real B>
+requires Mixed<A, B>
+auto operator+(const A& a, const glm::vec<L, B>& b) {
+    return WiderOf<A, B>(a) + WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator*(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
-    return x * glm::vec<L, T>(uniform);
+
+template <int L, Real A, Real B>
+requires Mixed<A, B>
+auto operator-(const glm::vec<L, A>& a, const glm::vec<L, B>& b) {
+    return WiderVec<L, A, B>(a) - WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator*(float uniform, const glm::vec<L, T>& x) {
-    return T(uniform) * x;
+template <int L, Real A, class B>
+requires Mixed<A, B>
+auto operator-(const glm::vec<L, A>& a, const B& b) {
+    return WiderVec<L, A, B>(a) - WiderOf<A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator*(const glm::vec<L, T>& x, float uniform) {
-    return x * T(uniform);
+template <int L, class A, Real B>
+requires Mixed<A, B>
+auto operator-(const A& a, const glm::vec<L, B>& b) {
+    return WiderOf<A, B>(a) - WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator/(const glm::vec<L, T>& x, float uniform) {
-    return x / T(uniform);
+
+template <int L, Real A, Real B>
+requires Mixed<A, B>
+auto operator*(const glm::vec<L, A>& a, const glm::vec<L, B>& b) {
+    return WiderVec<L, A, B>(a) * WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator+(const glm::vec<L, float>& uniform, const glm::vec<L, T>& x) {
-    return glm::vec<L, T>(uniform) + x;
+template <int L, Real A, class B>
+requires Mixed<A, B>
+auto operator*(const glm::vec<L, A>& a, const B& b) {
+    return WiderVec<L, A, B>(a) * WiderOf<A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator+(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
-    return x + glm::vec<L, T>(uniform);
+template <int L, class A, Real B>
+requires Mixed<A, B>
+auto operator*(const A& a, const glm::vec<L, B>& b) {
+    return WiderOf<A, B>(a) * WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator-(const glm::vec<L, float>& uniform, const glm::vec<L, T>& x) {
-    return glm::vec<L, T>(uniform) - x;
+
+template <int L, Real A, Real B>
+requires Mixed<A, B>
+auto operator/(const glm::vec<L, A>& a, const glm::vec<L, B>& b) {
+    return WiderVec<L, A, B>(a) / WiderVec<L, A, B>(b);
 }
-template <int L, Wider T>
-glm::vec<L, T> operator-(const glm::vec<L, T>& x, const glm::vec<L, float>& uniform) {
-    return x - glm::vec<L, T>(uniform);
+template <int L, Real A, class B>
+requires Mixed<A, B>
+auto operator/(const glm::vec<L, A>& a, const B& b) {
+    return WiderVec<L, A, B>(a) / WiderOf<A, B>(b);
+}
+template <int L, class A, Real B>
+requires Mixed<A, B>
+auto operator/(const A& a, const glm::vec<L, B>& b) {
+    return WiderOf<A, B>(a) / WiderVec<L, A, B>(b);
 }
 
 // x limited to [low, high]; low where x is NaN.
@@ -91,7 +118,7 @@ glm::vec<L, T> select(const MaskOf<T>& m, const glm::vec<L, T>& yes, const glm::
 }
 
 template <int L, Real T>
-glm::vec<L, T> min(const glm::vec<L, T>& a, const std::type_identity_t<glm::vec<L, T>>& b) {
+glm::vec<L, T> min(const glm::vec<L, T>& a, const glm::vec<L, T>& b) {
     glm::vec<L, T> r;
     for (int i = 0; i < L; ++i) {
         r[i] = min(a[i], b[i]);
@@ -100,7 +127,7 @@ glm::vec<L, T> min(const glm::vec<L, T>& a, const std::type_identity_t<glm::vec<
 }
 
 template <int L, Real T>
-glm::vec<L, T> max(const glm::vec<L, T>& a, const std::type_identity_t<glm::vec<L, T>>& b) {
+glm::vec<L, T> max(const glm::vec<L, T>& a, const glm::vec<L, T>& b) {
     glm::vec<L, T> r;
     for (int i = 0; i < L; ++i) {
         r[i] = max(a[i], b[i]);

@@ -1,5 +1,6 @@
 #include "framework/app/lesson.hpp"
 
+#include "framework/app/panels.hpp"
 #include "framework/app/picture.hpp"
 #include "framework/app/probe.hpp"
 #include "framework/app/statistics.hpp"
@@ -61,23 +62,55 @@ void override_camera(const Options& o, const Mesh& mesh, Camera& camera) {
     camera.far = o.far.value_or(camera.far);
 }
 
-struct Comparison {
-    Metrics metrics;
-    std::string heat_map;
-};
-
-Comparison compare(const Options& o, const SrgbImage& picture) {
-    const SrgbImage reference = read_png(o.compare);
-    Comparison c{measure_difference(reference, picture), o.outs.front() + ".diff.png"};
-    write_png(c.heat_map, side_by_side(reference, picture, heat_map(flip_map(reference, picture))));
-    return c;
+// Where the heat map of --compare goes.
+std::string heat_map_name(const Options& o) {
+    return o.outs.front() + ".diff.png";
 }
 
-void print(std::ostream& out, const Comparison& c, const std::string& reference) {
-    out << "against " << reference << ": largest difference " << c.metrics.max << " codes at "
-        << c.metrics.worst_x << ',' << c.metrics.worst_y << ", RMSE " << c.metrics.rmse << ", PSNR "
-        << c.metrics.psnr << " dB, SSIM " << c.metrics.ssim << ", FLIP " << c.metrics.flip_mean
-        << ", over one code " << 100 * c.metrics.over_one << " %; " << c.heat_map << '\n';
+void print(std::ostream& out, const Metrics& m, const Options& o) {
+    out << "against " << o.compare << ": largest difference " << m.max << " codes at " << m.worst_x
+        << ',' << m.worst_y << ", RMSE " << m.rmse << ", PSNR " << m.psnr << " dB, SSIM " << m.ssim
+        << ", FLIP " << m.flip_mean << ", over one code " << 100 * m.over_one << " %; "
+        << heat_map_name(o) << '\n';
+}
+
+void probe(const Lesson& lesson, const Options& o) {
+    PanelOptions at = panels_of(lesson, o).front();
+    for (const PanelOptions& panel : panels_of(lesson, o)) {
+        if (panel.left <= o.probe->first) {
+            at = panel;
+        }
+    }
+    at.options.probe->first -= at.left;
+    std::cout << explain_pixel(lesson, at.options, make_scene(lesson, at.options));
+}
+
+void make_folder_of_default_out(const Options& o) {
+    if (o.outs.front().starts_with("out/")) {
+        std::filesystem::create_directories("out");
+    }
+}
+
+// Everything that can fail for bad input comes before the first file is written.
+void draw_picture(const Lesson& lesson, const Options& o) {
+    const SrgbImage reference = o.compare.empty() ? SrgbImage() : read_png(o.compare);
+    const Drawing drawing = draw_panels(lesson, o);
+    const Metrics metrics =
+        o.compare.empty() ? Metrics() : measure_difference(reference, drawing.srgb);
+    make_folder_of_default_out(o);
+    for (const std::string& out : o.outs) {
+        write_picture(out, drawing);
+    }
+    std::ostream& words = o.stats == "-" ? std::cerr : std::cout;
+    words << summary(lesson, o, drawing) << '\n';
+    if (!o.compare.empty()) {
+        const SrgbImage heat = heat_map(flip_map(reference, drawing.srgb));
+        write_png(heat_map_name(o), side_by_side(reference, drawing.srgb, heat));
+        print(words, metrics, o);
+    }
+    if (!o.stats.empty()) {
+        write_statistics(o, drawing);
+    }
 }
 
 int run(int argc, const char* const* argv, const Lesson& lesson) {
@@ -85,29 +118,13 @@ int run(int argc, const char* const* argv, const Lesson& lesson) {
     if (o.outs.empty()) {
         o.outs.push_back("out/" + lesson.name + ".png");
     }
-    const Scene scene = make_scene(lesson, o);
     if (o.window) {
-        return run_window(lesson, o, scene);
+        return run_window(lesson, o, make_scene(lesson, o));
     }
     if (o.probe) {
-        std::cout << explain_pixel(lesson, o, scene);
-        return 0;
-    }
-    const Drawing drawing = draw(lesson, o, scene);
-    for (const std::string& out : o.outs) {
-        const auto folder = std::filesystem::path(out).parent_path();
-        if (!folder.empty() && o.outs.size() == 1 && out.starts_with("out/")) {
-            std::filesystem::create_directories(folder);
-        }
-        write_picture(out, drawing);
-    }
-    std::ostream& words = o.stats == "-" ? std::cerr : std::cout;
-    words << summary(lesson, o, drawing) << '\n';
-    if (!o.compare.empty()) {
-        print(words, compare(o, drawing.srgb), o.compare);
-    }
-    if (!o.stats.empty()) {
-        write_statistics(o, drawing);
+        probe(lesson, o);
+    } else {
+        draw_picture(lesson, o);
     }
     return 0;
 }

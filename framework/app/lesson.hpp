@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -18,10 +19,16 @@ struct ShaderSet {
     std::vector<Shader> shaders;
 };
 
+// Values of parameters that a part of the picture is drawn with.
+using Panel = std::vector<std::pair<std::string, float>>;
+
 struct Lesson {
     std::string name;   // of its folder, NN_name
     std::string title;  // a line
-    Parameters parameters;
+    Parameters parameters{};
+    // Left to right; empty: one picture, of the parameters as they stand. Panels that differ in a
+    // parameter are not drawn when the command line sets it.
+    std::vector<Panel> panels{};
     std::function<Scene(const Parameters&)> stage;
     std::function<ShaderSet(const Scene&, const Parameters&)> shaders;
 };

@@ -8,7 +8,6 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "01_ad_hoc_phong",
          .title = "Lesson 1: ambient + Kd (N.L) + Ks (V.R)^n, tweaked by hand",
-         .parameters = {},
          .stage = [](const Parameters&) { return stages::still_life(); },
          .shaders = shade_each_material([](const Scene& s, const Material& m, const Parameters&) {
              return AdHocPhong{m, s.lighting, s.camera.eye};

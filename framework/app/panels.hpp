@@ -1,0 +1,23 @@
+// Pictures of several panels side by side: the same lesson with parameters that differ.
+#pragma once
+
+#include "framework/app/picture.hpp"
+
+#include <vector>
+
+namespace glint {
+
+// A part of the picture, drawn with these options.
+struct PanelOptions {
+    Options options;
+    int left;  // where it begins in the picture
+};
+
+// The lesson's panels, from left to right; one that fills the picture where the lesson has none, or
+// where the command line sets a parameter that the panels differ in.
+std::vector<PanelOptions> panels_of(const Lesson& lesson, const Options& options);
+
+// Draws every panel and puts them together, a dark line between; statistics are summed up.
+Drawing draw_panels(const Lesson& lesson, const Options& options);
+
+}  // namespace glint

@@ -1,8 +1,13 @@
 #include "framework/scene/stages.hpp"
 
 #include "framework/geometry/shapes.hpp"
+#include "framework/math/error.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace glint::stages {
 namespace {
@@ -48,6 +53,34 @@ Scene still_life() {
                 .fov_degrees = 29.5F,
                 .near = 1.0F,
                 .far = 40.0F};
+    s.background = Rgb<float>(0.010F, 0.012F, 0.016F);
+    return s;
+}
+
+Scene sphere_grid(const std::vector<Material>& materials, int columns, float aspect) {
+    if (materials.empty() || columns < 1) {
+        throw Error("sphere_grid: needs a material and a column");
+    }
+    const float pitch = 2.3F;
+    const auto count = static_cast<int>(materials.size());
+    const int rows = (count + columns - 1) / columns;
+    Scene s;
+    s.materials = materials;
+    for (int i = 0; i < count; ++i) {
+        const auto column =
+            static_cast<float>(i % columns) - 0.5F * static_cast<float>(columns - 1);
+        const auto row = static_cast<float>(i / columns) - 0.5F * static_cast<float>(rows - 1);
+        append(s.mesh, transform(sphere(1.0F, 96, 48), at({pitch * column, -pitch * row, 0})),
+               static_cast<std::uint16_t>(i));
+    }
+    s.lighting.directional = {{normalize(glm::vec3(-0.5F, 0.6F, 0.8F)), Rgb<float>(1.0F)}};
+    s.camera = {.eye = {0, 0, 1}, .fov_degrees = 20.0F};
+    const float height = 0.55F * pitch * static_cast<float>(rows);
+    const float width = 0.55F * pitch * static_cast<float>(columns);
+    const float half = std::max(height, width / aspect);
+    s.camera.eye.z = 1.0F + half / std::tan(glm::radians(10.0F));
+    s.camera.near = 0.5F * s.camera.eye.z;
+    s.camera.far = 2.0F * s.camera.eye.z;
     s.background = Rgb<float>(0.010F, 0.012F, 0.016F);
     return s;
 }

@@ -9,4 +9,9 @@ namespace glint::stages {
 // height that leaves the table at a grazing angle. A key light and a fill light, some ambient.
 Scene still_life();
 
+// Unit spheres in columns and rows, row by row from the top left, each of its own material, before
+// a dark ground; the camera frames them for a window of that aspect. One key light from the upper
+// left. Error where there are no materials or columns is below 1.
+Scene sphere_grid(const std::vector<Material>& materials, int columns, float aspect);
+
 }  // namespace glint::stages

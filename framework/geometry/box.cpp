@@ -58,9 +58,9 @@ Across across(double column, int steps, double radius, double flat_half) {
 // Length 1, with the same rounding whatever the order of the coordinates: neighbouring faces
 // compute the points that they share with different ones.
 glm::dvec3 unit(const glm::dvec3& v) {
-    double squares[] = {v.x * v.x, v.y * v.y, v.z * v.z};
-    std::sort(std::begin(squares), std::end(squares));
-    return v / std::sqrt(squares[0] + squares[1] + squares[2]);
+    const glm::dvec3 s = v * v;
+    const double middle = std::max(std::min(s.x, s.y), std::min(std::max(s.x, s.y), s.z));
+    return v / std::sqrt(std::min({s.x, s.y, s.z}) + middle + std::max({s.x, s.y, s.z}));
 }
 
 }  // namespace

@@ -32,9 +32,13 @@ std::size_t vertices_after(const Mesh& mesh, const Mesh& other) {
     return count;
 }
 
+// Also right if both are the same.
 template <class T>
 void concatenate(std::vector<T>& to, const std::vector<T>& from) {
-    to.insert(to.end(), from.begin(), from.end());
+    const std::size_t before = to.size();
+    const std::size_t count = from.size();
+    to.resize(before + count);
+    std::copy_n(from.begin(), count, to.begin() + static_cast<std::ptrdiff_t>(before));
 }
 
 }  // namespace
@@ -63,10 +67,6 @@ Mesh transform(Mesh mesh, const glm::mat4& matrix) {
 }
 
 void append(Mesh& mesh, const Mesh& other, std::uint16_t material) {
-    if (&mesh == &other) {
-        append(mesh, Mesh(other), material);
-        return;
-    }
     const std::size_t before = mesh.positions.size();
     const std::size_t after = vertices_after(mesh, other);
     if (before != 0 && !other.positions.empty() && mesh.normals.empty() != other.normals.empty()) {
@@ -76,8 +76,10 @@ void append(Mesh& mesh, const Mesh& other, std::uint16_t material) {
         mesh.materials.resize(mesh.triangles.size(), 0);
         mesh.materials.resize(mesh.triangles.size() + other.triangles.size(), material);
     }
-    for (const glm::uvec3& t : other.triangles) {
-        mesh.triangles.push_back(t + static_cast<std::uint32_t>(before));
+    const std::size_t triangles_before = mesh.triangles.size();
+    concatenate(mesh.triangles, other.triangles);
+    for (std::size_t i = triangles_before; i < mesh.triangles.size(); ++i) {
+        mesh.triangles[i] += static_cast<std::uint32_t>(before);
     }
     if (!mesh.uvs.empty() || !other.uvs.empty()) {
         mesh.uvs.resize(before);

@@ -75,7 +75,7 @@ inline Topology topology(const Mesh& mesh) {
 }
 
 inline glm::dvec3 corner(const Mesh& mesh, const glm::uvec3& t, int i) {
-    return glm::dvec3(mesh.positions[t[i]]);
+    return {mesh.positions[t[i]]};
 }
 
 // Twice the area, along the side from which the corners run counter-clockwise.

@@ -82,6 +82,26 @@ TEST_CASE("corners that differ in texture or normal are different vertices") {
     CHECK(mesh.normals[5] == glm::vec3(0, 0, -1));
 }
 
+TEST_CASE("a thousand textures at one position stay a thousand vertices") {
+    std::ostringstream text;
+    text << square;
+    for (int i = 0; i < 1000; ++i) {
+        text << "vt " << i << " 0\n";
+    }
+    for (int round = 0; round < 2; ++round) {
+        for (int i = 1; i <= 1000; ++i) {
+            text << "f 1/" << i << " 2/" << i << " 3/" << i << '\n';
+        }
+    }
+    const Mesh mesh = parse(text.str()).mesh;
+    CHECK(mesh.positions.size() == 3000);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3 t = mesh.triangles[i];
+        REQUIRE(mesh.positions[t.y] == glm::vec3(1, 0, 0));
+        REQUIRE(mesh.uvs[t.y].x == static_cast<float>(i % 1000));
+    }
+}
+
 TEST_CASE("all ways to write a corner") {
     const std::string lists = square + "vt 0.25 0.5\nvn 0 1 0\n";
     CHECK(parse(lists + "f 1 2 3\n").mesh.normals[0] == glm::vec3(0, 0, 1));

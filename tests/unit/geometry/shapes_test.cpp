@@ -218,10 +218,10 @@ TEST_CASE("a knot's tube has its radius everywhere") {
         const glm::dvec3 centre(-distance * std::sin(2.0 * t), 0.4F * std::sin(3.0 * t),
                                 -distance * std::cos(2.0 * t));
         for (int row = 0; row <= sides; ++row) {
-            const auto i = static_cast<std::size_t>(row * (segments + 1) + column);
-            const glm::dvec3 spoke = glm::dvec3(mesh.positions[i]) - centre;
+            const std::ptrdiff_t i = row * std::ptrdiff_t{segments + 1} + column;
+            const glm::dvec3 spoke = glm::dvec3(mesh.positions.begin()[i]) - centre;
             REQUIRE(length(spoke) == doctest::Approx(0.15).epsilon(1e-5));
-            REQUIRE(length(spoke / 0.15 - glm::dvec3(mesh.normals[i])) < 1e-5);
+            REQUIRE(length(spoke / 0.15 - glm::dvec3(mesh.normals.begin()[i])) < 1e-5);
         }
     }
 }

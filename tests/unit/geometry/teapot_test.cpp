@@ -37,6 +37,17 @@ TEST_CASE("the teapot has its classical numbers") {
     CHECK(box.high.x == doctest::Approx(3.434).epsilon(1e-4));
 }
 
+TEST_CASE("a wrong control point shows in the sums of the triangles") {
+    // expected: from another program's mesh of Newell's numbers, cut into the same cells
+    const Mesh mesh = teapot(10);
+    double area = 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        area += 0.5 * length(cross_product(mesh, t));
+    }
+    CHECK(area == doctest::Approx(52.66079).epsilon(1e-7));
+    CHECK(volume(mesh) == doctest::Approx(25.770106).epsilon(1e-7));
+}
+
 TEST_CASE("the teapot is open where the original is") {
     for (const int steps : {2, 3, 7, 10, 16}) {
         CAPTURE(steps);

@@ -110,7 +110,7 @@ inline double fma(double a, double b, double c) {
 
 template <int N>
 Int<N> round_to_int(Float<N> a) {  // to nearest, ties to even; |a| < 2^31
-    return simd::round_to_int(a.v);
+    return xsimd::nearbyint_as_int(a.v);
 }
 template <int N>
 Int<N> truncate_to_int(Float<N> a) {  // towards zero; |a| < 2^31

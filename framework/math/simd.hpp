@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 // GCC 12 takes the undefined pass-through operand of its own AVX-512 intrinsics for a mistake.
 #pragma GCC diagnostic push
@@ -39,26 +40,18 @@ template <int N>
 struct Architecture;
 #if XSIMD_WITH_NEON64
 template <>
-struct Architecture<4> {
-    using type = xsimd::neon64;
-};
+struct Architecture<4> : std::type_identity<xsimd::neon64> {};
 #else
 template <>
-struct Architecture<4> {
-    using type = xsimd::sse4_2;
-};
+struct Architecture<4> : std::type_identity<xsimd::sse4_2> {};
 #endif
 #if XSIMD_WITH_FMA3_AVX2
 template <>
-struct Architecture<8> {
-    using type = xsimd::fma3<xsimd::avx2>;
-};
+struct Architecture<8> : std::type_identity<xsimd::fma3<xsimd::avx2>> {};
 #endif
 #if XSIMD_WITH_AVX512BW
 template <>
-struct Architecture<16> {
-    using type = xsimd::avx512bw;
-};
+struct Architecture<16> : std::type_identity<xsimd::avx512bw> {};
 #endif
 template <int N>
 using Floats = xsimd::batch<float, typename Architecture<N>::type>;
@@ -85,6 +78,15 @@ F fma(F a, F b, F c) {  // the library's rounds once, and takes fifty times as l
     return a * b + c;
 }
 #endif
+
+template <class F>
+F min(F a, F b) {
+    return xsimd::min(a, b);
+}
+template <class F>
+F max(F a, F b) {
+    return xsimd::max(a, b);
+}
 
 template <class T, class I>
 xsimd::batch<T, typename I::arch_type> gather(const T* from, I index) {
@@ -126,9 +128,6 @@ inline Floats<4> min(Floats<4> a, Floats<4> b) {  // its own min returns NaN if 
 inline Floats<4> max(Floats<4> a, Floats<4> b) {
     return vbslq_f32(vcgtq_f32(a, b), a, b);
 }
-inline Ints<4> round_to_int(Floats<4> a) {
-    return vcvtnq_s32_f32(a);
-}
 inline std::uint32_t lane_bits(Bools<4> m) {
     const uint32x4_t weights = {1, 2, 4, 8};
     return vaddvq_u32(vandq_u32(m, weights));
@@ -139,15 +138,6 @@ inline Floats<4> fma(Floats<4> a, Floats<4> b, Floats<4> c) {
     return _mm_fmadd_ps(a, b, c);
 }
 #endif
-inline Floats<4> min(Floats<4> a, Floats<4> b) {
-    return _mm_min_ps(a, b);
-}
-inline Floats<4> max(Floats<4> a, Floats<4> b) {
-    return _mm_max_ps(a, b);
-}
-inline Ints<4> round_to_int(Floats<4> a) {
-    return _mm_cvtps_epi32(a);
-}
 inline std::uint32_t lane_bits(Bools<4> m) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(m));
 }
@@ -158,15 +148,6 @@ inline std::uint32_t lane_bits(Bools<4> m) {
 #if XSIMD_WITH_FMA3_AVX2
 inline Floats<8> fma(Floats<8> a, Floats<8> b, Floats<8> c) {
     return _mm256_fmadd_ps(a, b, c);
-}
-inline Floats<8> min(Floats<8> a, Floats<8> b) {
-    return _mm256_min_ps(a, b);
-}
-inline Floats<8> max(Floats<8> a, Floats<8> b) {
-    return _mm256_max_ps(a, b);
-}
-inline Ints<8> round_to_int(Floats<8> a) {
-    return _mm256_cvtps_epi32(a);
 }
 inline Floats<8> gather(const float* from, Ints<8> index) {
     return _mm256_i32gather_ps(from, index, 4);
@@ -207,15 +188,6 @@ inline int store_compressed(std::int32_t* to, std::uint32_t lanes, Ints<8> a) {
 inline Floats<16> fma(Floats<16> a, Floats<16> b, Floats<16> c) {
     return _mm512_fmadd_ps(a, b, c);
 }
-inline Floats<16> min(Floats<16> a, Floats<16> b) {
-    return _mm512_min_ps(a, b);
-}
-inline Floats<16> max(Floats<16> a, Floats<16> b) {
-    return _mm512_max_ps(a, b);
-}
-inline Ints<16> round_to_int(Floats<16> a) {
-    return _mm512_cvtps_epi32(a);
-}
 inline Floats<16> gather(const float* from, Ints<16> index) {
     return _mm512_i32gather_ps(index, from, 4);
 }
@@ -235,4 +207,32 @@ inline int store_compressed(std::int32_t* to, std::uint32_t lanes, Ints<16> a) {
 #endif
 
 }  // namespace simd
+
+// While it lives, numbers below 2^-126 count as 0 in this thread. They are darker than anything
+// that is seen, and slow: a highlight that fades away took half as long again.
+class FlushSubnormals {
+  public:
+#if XSIMD_WITH_NEON64
+    FlushSubnormals() {
+        asm volatile("mrs %0, fpcr" : "=r"(saved_));
+        asm volatile("msr fpcr, %0" : : "r"(saved_ | 1U << 24));  // FZ
+    }
+    ~FlushSubnormals() {
+        asm volatile("msr fpcr, %0" : : "r"(saved_));
+    }
+#else
+    FlushSubnormals() : saved_(_mm_getcsr()) {
+        _mm_setcsr(_mm_getcsr() | 0x8040U);
+    }  // FTZ, DAZ
+    ~FlushSubnormals() {
+        _mm_setcsr(static_cast<unsigned>(saved_));
+    }
+#endif
+    FlushSubnormals(const FlushSubnormals&) = delete;
+    FlushSubnormals& operator=(const FlushSubnormals&) = delete;
+
+  private:
+    std::uint64_t saved_ = 0;
+};
+
 }  // namespace glint

@@ -304,6 +304,22 @@ TEST_CASE_TEMPLATE("store_compressed keeps the answering lanes in order", F, flo
     }
 }
 
+TEST_CASE_TEMPLATE("FlushSubnormals makes small numbers 0 while it lives", F, float, Float4, Float8,
+                   Float16) {
+    volatile float small = std::numeric_limits<float>::min();
+    const auto half = [&] { return lane(F(small) * F(0.5F), lanes_of<F> - 1); };
+    const auto doubled = [&] { return lane(F(small) * F(2.0F), lanes_of<F> - 1); };
+    {
+        const FlushSubnormals flush;
+        CHECK(bits_of(half()) == 0);
+        small = smallest;
+        CHECK(bits_of(doubled()) == 0);
+    }
+    CHECK(bits_of(doubled()) == 2);
+    small = std::numeric_limits<float>::min();
+    CHECK(bits_of(half()) == 1 << 22);
+}
+
 TEST_CASE("the widest register is among the widths") {
     CHECK(lanes_of<float> == 1);
     CHECK(lanes_of<double> == 1);

@@ -49,8 +49,12 @@ void ThreadPool::start(std::size_t items, const Call& call) {
         wake_.notify_all();
     }
     take_items(0);
-    while (busy_.load(std::memory_order_acquire) != 0) {
-        pause_briefly();
+    for (int i = 0; busy_.load(std::memory_order_acquire) != 0; ++i) {
+        if (i < spins) {
+            pause_briefly();
+        } else {
+            std::this_thread::yield();  // more threads than cores: let them work
+        }
     }
     if (failure_) {
         std::rethrow_exception(failure_);
@@ -65,7 +69,9 @@ void ThreadPool::take_items(int thread) {
         }
     } catch (...) {
         const std::lock_guard lock(mutex_);
-        failure_ = std::current_exception();
+        if (!failure_) {
+            failure_ = std::current_exception();
+        }
         next_.store(items_, std::memory_order_relaxed);
     }
 }

@@ -54,6 +54,9 @@ Sphere sphere_about(const Mesh& mesh) {
 
 glm::mat4 clip_from_world(const Camera& camera, float aspect) {
     check(camera);
+    if (!(aspect > 0 && std::isfinite(aspect))) {
+        throw Error("camera: the aspect, width over height, must be above 0");
+    }
     const double n = camera.near;
     const double f = camera.far;
     const double cotangent = 1.0 / std::tan(glm::radians(double{camera.fov_degrees}) / 2);

@@ -1,0 +1,175 @@
+#include "framework/raster/renderer.hpp"
+
+#include "framework/geometry/shapes.hpp"
+#include "tests/unit/raster/drawing.hpp"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+
+namespace glint {
+namespace {
+
+std::string refusal(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "";
+}
+
+TEST_CASE("settings out of their range are refused by name") {
+    const struct {
+        Settings settings;
+        const char* name;
+    } cases[] = {{{.lanes = 0}, "lanes"},       {{.lanes = 2}, "lanes"},
+                 {{.lanes = 32}, "lanes"},      {{.lanes = -4}, "lanes"},
+                 {{.threads = 0}, "threads"},   {{.threads = -1}, "threads"},
+                 {{.threads = 257}, "threads"}, {{.samples = 0}, "samples"},
+                 {{.samples = 3}, "samples"},   {{.samples = 32}, "samples"}};
+    for (const auto& [settings, name] : cases) {
+        for (const Rasterizer rasterizer : {Rasterizer::tiles, Rasterizer::scanline}) {
+            Settings s = settings;
+            s.rasterizer = rasterizer;
+            CAPTURE(words(s));
+            CHECK(refusal([&] { const Renderer renderer(s); }).starts_with(name));
+        }
+    }
+}
+
+TEST_CASE("a view out of its range and missing shaders are refused, and nothing is drawn") {
+    const Mesh mesh = plane(1, 1, 1, 1);
+    const OneColour shader;
+    const Shader one = plug(shader);
+    for (const Settings& settings : both_rasterizers()) {
+        CAPTURE(words(settings));
+        Renderer renderer(settings);
+        SrgbImage picture(3, 2, {1, 2, 3, 4});
+        const SrgbImage before = picture;
+        const auto render = [&](const Mesh& m, int width, int height, std::size_t shaders) {
+            return refusal([&] {
+                View view = window_view(8, 8);
+                view.width = width;
+                view.height = height;
+                renderer.render(m, view, std::span(&one, shaders), {.srgb = &picture});
+            });
+        };
+        CHECK(render(mesh, 0, 1, 1).starts_with("picture size"));
+        CHECK(render(mesh, 1, 0, 1).starts_with("picture size"));
+        CHECK(render(mesh, -5, 1, 1).starts_with("picture size"));
+        CHECK(render(mesh, 16385, 1, 1).starts_with("picture size"));
+        CHECK(render(mesh, 1, 16385, 1).starts_with("picture size"));
+        CHECK(render(mesh, 4, 4, 0).starts_with("shaders"));
+        Mesh two = mesh;
+        two.materials = {0, 1};
+        CHECK(render(two, 4, 4, 1).starts_with("shaders"));
+        CHECK(picture == before);
+        CHECK(render(mesh, 16384, 1, 1).empty());
+        CHECK(picture.width() == 16384);
+        CHECK(render(mesh, 1, 16384, 1).empty());
+        CHECK(picture.height() == 16384);
+    }
+}
+
+TEST_CASE("nothing to draw leaves the background") {
+    const OneColour shader;
+    for (const int samples : {1, 4}) {
+        for (const Settings& settings : both_rasterizers({.threads = 2, .samples = samples})) {
+            CAPTURE(words(settings));
+            const Drawn d = draw(Mesh{}, window_view(70, 5), plug(shader), settings, {0, 1, 0.5F});
+            CHECK(d.linear == LinearImage(70, 5, {0, 1, 0.5F}));
+            CHECK(d.srgb == SrgbImage(70, 5, {0, 255, 188, 255}));
+            CHECK(d.depth == Image<float>(70, 5, 0.0F));
+            CHECK(d.triangle == Image<std::int32_t>(70, 5, no_triangle));
+            CHECK(d.statistics.fragments_shaded == 0);
+            CHECK(d.statistics.triangles_in == 0);
+        }
+    }
+}
+
+TEST_CASE("one renderer draws frames of any size, one after the other, as new ones would") {
+    const Mesh mesh{.positions = {{-3, -2, 0.5F}, {300, 10, 0.25F}, {20, 200, 0.75F}},
+                    .normals = {},
+                    .uvs = {},
+                    .triangles = {{0, 1, 2}},
+                    .materials = {}};
+    for (const int samples : {1, 4}) {
+        for (const Settings& settings : both_rasterizers({.threads = 2, .samples = samples})) {
+            CAPTURE(words(settings));
+            Renderer renderer(settings);
+            LinearImage picture;
+            for (const auto& [width, height] :
+                 {std::pair(5, 3), {200, 130}, {64, 64}, {1, 1}, {65, 200}, {200, 130}}) {
+                const View view = window_view(width, height);
+                const Shader shader = plug(show_position);
+                const Statistics s =
+                    renderer.render(mesh, view, std::span(&shader, 1), {.linear = &picture});
+                const Drawn fresh = draw(mesh, view, shader, settings);
+                CHECK(picture == fresh.linear);
+                CHECK(s.fragments_shaded == fresh.statistics.fragments_shaded);
+                CHECK(s.triangles_visible == fresh.statistics.triangles_visible);
+            }
+        }
+    }
+}
+
+TEST_CASE("the statistics count what was asked for") {
+    // Two squares one behind the other, the far one hidden, and a triangle beside the window.
+    Mesh mesh{.positions = {{2, 2, 0.75F},
+                            {10, 2, 0.75F},
+                            {10, 10, 0.75F},
+                            {2, 10, 0.75F},
+                            {2, 2, 0.5F},
+                            {10, 2, 0.5F},
+                            {10, 10, 0.5F},
+                            {2, 10, 0.5F},
+                            {-9, 0, 0.5F},
+                            {-5, 0, 0.5F},
+                            {-5, 5, 0.5F}},
+              .normals = {},
+              .uvs = {},
+              .triangles = {{4, 5, 6}, {4, 6, 7}, {0, 1, 2}, {0, 2, 3}, {8, 9, 10}},
+              .materials = {}};
+    for (const Settings& settings : both_rasterizers()) {
+        CAPTURE(words(settings));
+        const Statistics s =
+            draw(mesh, window_view(16, 16), plug(show_position), settings).statistics;
+        CHECK(s.triangles_in == 5);
+        CHECK(s.triangles_not_finite == 0);
+        CHECK(s.triangles_visible == 2);
+        CHECK(s.fragments_shaded == 64);
+        CHECK(s.geometry_ms + s.visibility_ms + s.shading_ms + s.output_ms <= s.frame_ms * 1.001);
+        CHECK(s.frame_ms > 0);
+    }
+}
+
+TEST_CASE("back faces are left out where that is asked") {
+    // Counter-clockwise for the viewer is a front face; y points down here.
+    Mesh mesh{
+        .positions = {{2, 2, 0.5F}, {2, 20, 0.5F}, {20, 2, 0.5F}, {90, 90, 0.5F}, {90, 9, 0.5F}},
+        .normals = {},
+        .uvs = {},
+        .triangles = {{0, 1, 2}, {2, 3, 4}},
+        .materials = {}};
+    for (const Cull cull : {Cull::none, Cull::back}) {
+        for (const Settings& settings : both_rasterizers({.cull = cull})) {
+            CAPTURE(words(settings));
+            const Drawn front = draw(mesh, window_view(100, 100), plug(show_position), settings);
+            CHECK(front.statistics.triangles_visible == 2);
+            Mesh turned = mesh;
+            for (glm::uvec3& t : turned.triangles) {
+                t = {t.x, t.z, t.y};
+            }
+            const Drawn back = draw(turned, window_view(100, 100), plug(show_position), settings);
+            CHECK(back.statistics.triangles_visible == (cull == Cull::back ? 0 : 2));
+            if (cull == Cull::none) {
+                CHECK(back.triangle == front.triangle);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace glint

@@ -18,11 +18,15 @@ enum class Fixed { light, view };
 namespace gonio_detail {
 
 // Cuts of the angle from the mirror direction, ever finer towards it: between two of them even a
-// lobe of exponent 1e7 is smooth.
+// lobe of exponent 1e7 is smooth. And towards the right angle, where a lobe whose exponent is below
+// 1 ends with an infinite slope.
 inline std::vector<double> cuts() {
     std::vector<double> at{0};
     for (double a = 1e-5; a < std::numbers::pi / 2; a *= 1.6) {
         at.push_back(a);
+    }
+    for (double a = 1e-8; a < 0.5; a *= 4) {
+        at.push_back(std::numbers::pi / 2 - a);
     }
     at.push_back(std::numbers::pi / 2);
     at.push_back(std::numbers::pi);

@@ -28,8 +28,8 @@ inline Rgb<float> lambert_unnormalised(const Rgb<float>& Cd) {
 template <Real T>
 T phong_lobe(const Incidence<T>& g, const T& n) {
     // SOLUTION 03.2
-    const T cosine = min(v_dot_r(g), T(1.0F));
-    return select(cosine > T(0.0F), pow(max(cosine, T(0.0F)), n), T(0.0F));
+    const T cosine = clamp(v_dot_r(g), T(0.0F), T(1.0F));  // 0 for what is not a number
+    return select(cosine > T(0.0F), pow(cosine, n), T(0.0F));
     // HANDOUT
     // return T(0.0F);  // TODO 03.2: (V.R)^n, clamped
     // END

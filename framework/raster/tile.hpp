@@ -67,14 +67,15 @@ struct TileBuffer {
 
     // Fragments: place of the pixel, place in triangles, offset from the pixel's centre in pixels,
     // share of the pixel's samples. Offsets and shares are left out with one sample a pixel.
+    std::size_t fragments = 0;
     std::vector<std::int32_t> fragment_pixel, fragment_triangle;
     std::vector<float> fragment_x, fragment_y, fragment_share;
 
-    // By triangle: where its planes begin, or -1. See tile_shading.cpp.
+    // By triangle: where its planes begin, or -1. See tile_planes.hpp.
     std::vector<std::int32_t> plane_start;
     std::vector<float> planes;
 
-    // Fragments sorted by shader: where each shader's end, and scratch for sorting.
+    // The fragments are sorted by shader: where each shader's end; and scratch for sorting.
     std::vector<std::uint32_t> shader_end, order;
     std::vector<std::int32_t> sorted_ints;
     std::vector<float> sorted_floats;
@@ -90,6 +91,15 @@ inline std::uint32_t source_of(const Frame& frame, TileTriangle t) {
     return (t.ref & piece_bit) != 0 ? frame.chunks[t.chunk].piece(t.ref).source : t.ref;
 }
 
+inline std::size_t material_of(const Frame& frame, std::uint32_t source) {
+    const auto& materials = frame.mesh->materials;
+    return materials.empty() ? 0 : materials[source];
+}
+
+inline const Shader& shader_of(const Frame& frame, std::uint32_t source) {
+    return frame.shaders[material_of(frame, source)];
+}
+
 inline ScreenTriangle screen_triangle(const Frame& frame, TileTriangle t) {
     if ((t.ref & piece_bit) != 0) {
         return frame.chunks[t.chunk].piece(t.ref);
@@ -102,7 +112,10 @@ inline ScreenTriangle screen_triangle(const Frame& frame, TileTriangle t) {
 // Finds who wins each sample of the tile; false where nobody wins any.
 bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer);
 
-// Shades what find_visible() found into buffer.colour.
+// Lists the fragments of what find_visible() found, sorted by shader.
+void list_fragments(const Frame& frame, TileBuffer& buffer);
+
+// Shades them into buffer.colour.
 void shade_tile(const Frame& frame, TileBuffer& buffer);
 
 // Writes the tile into the target's pictures.

@@ -1,69 +1,16 @@
-// Stage 4 of the tile rasterizer: the visible fragments of a tile, shaded in full registers.
-// Neighbouring fragments share a register whatever triangles they belong to.
-#include "framework/raster/fragment.hpp"
-#include "framework/raster/interpolate.hpp"
+// Stage 4, second part: the fragments of a tile, shaded in full registers. Neighbouring fragments
+// share a register whatever triangles they belong to.
 #include "framework/raster/tile.hpp"
+#include "framework/raster/tile_planes.hpp"
 #include "framework/math/dispatch.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 
 namespace glint {
 namespace {
 
 constexpr int batch = 256;  // fragments a call of the shader; their varyings stay in the L1 cache
-
-// A triangle's attributes as planes over the tile: with S(x, y) = 1/w, varying k is
-//     first[k] + (d0[k] + dx[k] x + dy[k] y) / S(x, y)
-// where x and y are pixels from the tile's corner and first[k] is its value at corner 0. Anchored
-// at the tile, and relative to a corner, so that nothing large cancels.
-struct Planes {
-    std::span<float> data;
-    int count;
-
-    static std::size_t size(int count) { return 4 + 4 * static_cast<std::size_t>(count); }
-    float& s(int i) const { return data[static_cast<std::size_t>(i)]; }  // s0, sx, sy
-    float* first() const { return data.data() + 4; }
-    float* d(int i) const { return data.data() + 4 + (i + 1) * count; }  // d0, dx, dy
-};
-
-std::size_t material(const Frame& frame, std::uint32_t source) {
-    const auto& materials = frame.mesh->materials;
-    return materials.empty() ? 0 : materials[source];
-}
-
-const Shader& shader_of(const Frame& frame, std::uint32_t source) {
-    return frame.shaders[material(frame, source)];
-}
-
-void set_up_planes(const Frame& frame, const TileBuffer& tile, const ScreenTriangle& triangle,
-                   const Planes& planes) {
-    const Edges edges = edges_of(triangle.v);
-    const double scale = 1.0 / static_cast<double>(std::abs(edges.double_area));
-    // Screen barycentrics over w, as planes: at the tile's corner, a pixel right, a pixel down.
-    float p[3][3];
-    for (int i = 0; i < 3; ++i) {
-        const Edge& e = edges.edge[static_cast<std::size_t>(i)];
-        const double weight = scale * static_cast<double>(triangle.v[i].inverse_w);
-        const std::int64_t corner =
-            e.at(tile.x * subpixel_one, tile.y * subpixel_one) + (e.inclusive ? 0 : 1);
-        p[0][i] = static_cast<float>(static_cast<double>(corner) * weight);
-        p[1][i] = static_cast<float>(static_cast<double>(e.a * subpixel_one) * weight);
-        p[2][i] = static_cast<float>(static_cast<double>(e.b * subpixel_one) * weight);
-    }
-    const CornerVaryings corners =
-        corner_varyings(shader_of(frame, triangle.source), *frame.mesh, triangle);
-    for (int c = 0; c < 3; ++c) {
-        planes.s(c) = p[c][0] + p[c][1] + p[c][2];
-        for (int k = 0; k < planes.count; ++k) {
-            const auto at = static_cast<std::size_t>(k);
-            planes.d(c)[k] = (corners[1][at] - corners[0][at]) * p[c][1] +
-                             (corners[2][at] - corners[0][at]) * p[c][2];
-        }
-    }
-    std::copy_n(corners[0].begin(), planes.count, planes.first());
-}
 
 template <int N>
 class TileShading {
@@ -73,173 +20,21 @@ class TileShading {
 
   public:
     TileShading(const Frame& frame, TileBuffer& tile)
-        : frame_(frame), tile_(tile), offsets_(sample_offsets(frame.settings.samples)) {}
+        : frame_(frame), tile_(tile), multisampled_(frame.settings.samples > 1) {}
 
     void run() {
-        list_fragments();
-        set_up();
-        sort_by_shader();
-        for (auto& channel : tile_.colour) {
-            channel.resize(tile_pixels);
-        }
         fill_background();
         std::size_t begin = 0;
         for (std::size_t s = 0; s < frame_.shaders.size(); ++s) {
-            const std::size_t end = frame_.shaders.size() == 1 ? count_ : tile_.shader_end[s];
+            const std::size_t end = tile_.shader_end[s];
             for (; begin < end; begin += batch) {
                 shade(frame_.shaders[s], begin, std::min<std::size_t>(batch, end - begin));
             }
             begin = end;
         }
-        tile_.fragments_shaded += static_cast<std::int64_t>(count_);
     }
 
   private:
-    // ---- the list of fragments ----
-
-    void list_fragments() {
-        const std::size_t most = tile_pixels * offsets_.size() + block_pixels;
-        tile_.fragment_pixel.resize(most);
-        tile_.fragment_triangle.resize(most);
-        if (offsets_.size() > 1) {
-            tile_.fragment_x.resize(most);
-            tile_.fragment_y.resize(most);
-            tile_.fragment_share.resize(most);
-        }
-        count_ = 0;
-        for (int pixel = 0; pixel < tile_pixels; pixel += N) {
-            const T depth = load<T>(&tile_.depth[static_cast<std::size_t>(pixel)]);
-            const I owner = load<I>(&tile_.owner[static_cast<std::size_t>(pixel)]);
-            if (offsets_.size() == 1) {
-                add(depth > T(0.0F), pixel, owner);
-            } else {
-                list_multisampled(pixel, depth, owner);
-            }
-        }
-    }
-
-    void add(M there, int pixel, I owner) {
-        store_compressed(&tile_.fragment_pixel[count_], there, iota<I>() + I(pixel));
-        count_ += static_cast<std::size_t>(
-            store_compressed(&tile_.fragment_triangle[count_], there, owner));
-    }
-
-    void list_multisampled(int pixel, T depth, I owner) {
-        M uniform = depth > T(0.0F);
-        M nothing = !uniform;
-        for (std::size_t s = 1; s < offsets_.size(); ++s) {
-            const std::size_t at = s * tile_pixels + static_cast<std::size_t>(pixel);
-            const M there = load<T>(&tile_.depth[at]) > T(0.0F);
-            uniform = uniform & there & (load<I>(&tile_.owner[at]) == owner);
-            nothing = nothing & !there;
-        }
-        if (all(nothing)) {
-            return;
-        }
-        if (!frame_.settings.sample_shading && all(uniform)) {
-            std::fill_n(&tile_.fragment_x[count_], N, 0.0F);
-            std::fill_n(&tile_.fragment_y[count_], N, 0.0F);
-            std::fill_n(&tile_.fragment_share[count_], N, 1.0F);
-            add(uniform, pixel, owner);
-            return;
-        }
-        for (int i = 0; i < N; ++i) {
-            list_pixel(pixel + i);
-        }
-    }
-
-    void list_pixel(int pixel) {
-        std::array<std::int32_t, max_samples> won;
-        for (std::size_t s = 0; s < offsets_.size(); ++s) {
-            const std::size_t at = s * tile_pixels + static_cast<std::size_t>(pixel);
-            won[s] = tile_.depth[at] > 0.0F ? tile_.owner[at] : no_triangle;
-        }
-        std::array<Fragment, max_samples> fragments;
-        const int n = resolve_pixel(won, offsets_, frame_.settings.sample_shading, fragments);
-        for (int i = 0; i < n; ++i, ++count_) {
-            const Fragment& f = fragments[static_cast<std::size_t>(i)];
-            const float to_pixel = 1.0F / static_cast<float>(subpixel_one);
-            tile_.fragment_pixel[count_] = pixel;
-            tile_.fragment_triangle[count_] = f.triangle;
-            tile_.fragment_x[count_] = static_cast<float>(f.at.x) * to_pixel;
-            tile_.fragment_y[count_] = static_cast<float>(f.at.y) * to_pixel;
-            tile_.fragment_share[count_] =
-                static_cast<float>(f.samples) / static_cast<float>(offsets_.size());
-        }
-    }
-
-    // ---- planes of the triangles that own fragments ----
-
-    void set_up() {
-        tile_.plane_start.assign(tile_.triangles.size(), -1);
-        tile_.planes.clear();
-        for (std::size_t i = 0; i < count_; ++i) {
-            const auto t = static_cast<std::size_t>(tile_.fragment_triangle[i]);
-            if (tile_.plane_start[t] < 0) {
-                set_up_triangle(t);
-            }
-        }
-    }
-
-    void set_up_triangle(std::size_t t) {
-        const ScreenTriangle triangle = screen_triangle(frame_, tile_.triangles[t]);
-        const int varyings = shader_of(frame_, triangle.source).varyings;
-        const std::size_t start = tile_.planes.size();
-        tile_.plane_start[t] = static_cast<std::int32_t>(start);
-        tile_.planes.resize(start + Planes::size(varyings));
-        set_up_planes(frame_, tile_, triangle, planes(static_cast<std::int32_t>(t), varyings));
-        std::atomic_ref(frame_.won_a_sample[triangle.source]).store(1, std::memory_order_relaxed);
-    }
-
-    Planes planes(std::int32_t triangle, int varyings) const {
-        const auto start =
-            static_cast<std::size_t>(tile_.plane_start[static_cast<std::size_t>(triangle)]);
-        return {{&tile_.planes[start], Planes::size(varyings)}, varyings};
-    }
-
-    // ---- one shader after the other ----
-
-    // Sorts the fragments by shader, keeping their order otherwise.
-    void sort_by_shader() {
-        if (frame_.shaders.size() == 1) {
-            return;
-        }
-        tile_.shader_end.assign(frame_.shaders.size() + 1, 0);
-        for (std::size_t i = 0; i < count_; ++i) {
-            ++tile_.shader_end[material_of(i) + 1];
-        }
-        for (std::size_t s = 1; s < tile_.shader_end.size(); ++s) {
-            tile_.shader_end[s] += tile_.shader_end[s - 1];
-        }
-        tile_.order.resize(count_);
-        for (std::size_t i = 0; i < count_; ++i) {
-            tile_.order[tile_.shader_end[material_of(i)]++] = static_cast<std::uint32_t>(i);
-        }
-        reorder(tile_.fragment_pixel, tile_.sorted_ints);
-        reorder(tile_.fragment_triangle, tile_.sorted_ints);
-        if (offsets_.size() > 1) {
-            reorder(tile_.fragment_x, tile_.sorted_floats);
-            reorder(tile_.fragment_y, tile_.sorted_floats);
-            reorder(tile_.fragment_share, tile_.sorted_floats);
-        }
-    }
-
-    std::size_t material_of(std::size_t fragment) const {
-        const auto t = static_cast<std::size_t>(tile_.fragment_triangle[fragment]);
-        return material(frame_, source_of(frame_, tile_.triangles[t]));
-    }
-
-    template <class V>
-    void reorder(std::vector<V>& values, std::vector<V>& sorted) {
-        sorted.resize(values.size());
-        for (std::size_t i = 0; i < count_; ++i) {
-            sorted[i] = values[tile_.order[i]];
-        }
-        values.swap(sorted);
-    }
-
-    // ---- shading ----
-
     void shade(const Shader& shader, std::size_t begin, std::size_t n) {
         tile_.varyings.resize(max_varyings * batch);
         tile_.radiance.resize(3 * batch);
@@ -253,7 +48,7 @@ class TileShading {
                           : N == 4 ? shader.shade_4
                                    : shader.shade_1;
         call(shader.shader, in, batch, static_cast<int>(n), out);
-        if (offsets_.size() == 1) {
+        if (!multisampled_) {
             put(begin, n, out);
         } else {
             accumulate(begin, n, out);
@@ -265,7 +60,7 @@ class TileShading {
         const I pixel = load_padded<I>(&tile_.fragment_pixel[begin], n);
         T x = to_float(pixel_column(pixel)) + T(0.5F);
         T y = to_float(pixel_row(pixel)) + T(0.5F);
-        if (offsets_.size() > 1) {
+        if (multisampled_) {
             x += load_padded<T>(&tile_.fragment_x[begin], n);
             y += load_padded<T>(&tile_.fragment_y[begin], n);
         }
@@ -278,7 +73,7 @@ class TileShading {
         for (std::uint32_t left = (1U << n) - 1; left != 0;) {
             const std::int32_t t = triangle[std::countr_zero(left)];
             const M mine = triangles == I(t);
-            const Planes p = planes(t, varyings);
+            const Planes p = planes_of(tile_, t, varyings);
             s = select(mine, T(p.s(0)) + T(p.s(1)) * x + T(p.s(2)) * y, s);
             for (int k = 0; k < varyings; ++k) {
                 first[k] = select(mine, T(p.first()[k]), first[k]);
@@ -307,8 +102,12 @@ class TileShading {
     // ---- colours into the tile ----
 
     void fill_background() {
-        const bool everywhere = count_ != tile_pixels || offsets_.size() > 1;
-        for (std::size_t c = 0; c < 3 && everywhere; ++c) {
+        const bool everywhere = tile_.fragments != tile_pixels || multisampled_;
+        for (std::size_t c = 0; c < 3; ++c) {
+            tile_.colour[c].resize(tile_pixels);
+            if (!everywhere) {
+                continue;
+            }
             std::fill(tile_.colour[c].begin(), tile_.colour[c].end(),
                       frame_.target.background[static_cast<int>(c)]);
         }
@@ -349,13 +148,15 @@ class TileShading {
 
     const Frame& frame_;
     TileBuffer& tile_;
-    std::span<const SampleOffset> offsets_;
-    std::size_t count_ = 0;  // fragments
+    bool multisampled_;
 };
 
 }  // namespace
 
 void shade_tile(const Frame& frame, TileBuffer& buffer) {
+    list_fragments(frame, buffer);
+    set_up_planes(frame, buffer);
+    buffer.fragments_shaded += static_cast<std::int64_t>(buffer.fragments);
     with_lanes(frame.settings.lanes, [&]<int N>() { TileShading<N>(frame, buffer).run(); });
 }
 

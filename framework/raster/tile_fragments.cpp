@@ -1,0 +1,144 @@
+// Stage 4, first part: what is shaded in a tile, where, and by which shader.
+#include "framework/raster/fragment.hpp"
+#include "framework/raster/tile.hpp"
+#include "framework/math/dispatch.hpp"
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+template <int N>
+class FragmentList {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+    using M = typename Lanes<N>::Mask;
+
+  public:
+    FragmentList(const Frame& frame, TileBuffer& tile)
+        : frame_(frame), tile_(tile), offsets_(sample_offsets(frame.settings.samples)) {}
+
+    void list() {
+        const std::size_t most = tile_pixels * offsets_.size() + block_pixels;
+        tile_.fragment_pixel.resize(most);
+        tile_.fragment_triangle.resize(most);
+        if (offsets_.size() > 1) {
+            tile_.fragment_x.resize(most);
+            tile_.fragment_y.resize(most);
+            tile_.fragment_share.resize(most);
+        }
+        tile_.fragments = 0;
+        for (int pixel = 0; pixel < tile_pixels; pixel += N) {
+            const T depth = load<T>(&tile_.depth[static_cast<std::size_t>(pixel)]);
+            const I owner = load<I>(&tile_.owner[static_cast<std::size_t>(pixel)]);
+            if (offsets_.size() == 1) {
+                add(depth > T(0.0F), pixel, owner);
+            } else {
+                list_multisampled(pixel, depth, owner);
+            }
+        }
+    }
+
+  private:
+    void add(M there, int pixel, I owner) {
+        store_compressed(&tile_.fragment_pixel[tile_.fragments], there, iota<I>() + I(pixel));
+        tile_.fragments += static_cast<std::size_t>(
+            store_compressed(&tile_.fragment_triangle[tile_.fragments], there, owner));
+    }
+
+    void list_multisampled(int pixel, T depth, I owner) {
+        M uniform = depth > T(0.0F);
+        M nothing = !uniform;
+        for (std::size_t s = 1; s < offsets_.size(); ++s) {
+            const std::size_t at = s * tile_pixels + static_cast<std::size_t>(pixel);
+            const M there = load<T>(&tile_.depth[at]) > T(0.0F);
+            uniform = uniform & there & (load<I>(&tile_.owner[at]) == owner);
+            nothing = nothing & !there;
+        }
+        if (all(nothing)) {
+            return;
+        }
+        if (!frame_.settings.sample_shading && all(uniform)) {
+            std::fill_n(&tile_.fragment_x[tile_.fragments], N, 0.0F);
+            std::fill_n(&tile_.fragment_y[tile_.fragments], N, 0.0F);
+            std::fill_n(&tile_.fragment_share[tile_.fragments], N, 1.0F);
+            add(uniform, pixel, owner);
+            return;
+        }
+        for (int i = 0; i < N; ++i) {
+            list_pixel(pixel + i);
+        }
+    }
+
+    void list_pixel(int pixel) {
+        std::array<std::int32_t, max_samples> won;
+        for (std::size_t s = 0; s < offsets_.size(); ++s) {
+            const std::size_t at = s * tile_pixels + static_cast<std::size_t>(pixel);
+            won[s] = tile_.depth[at] > 0.0F ? tile_.owner[at] : no_triangle;
+        }
+        std::array<Fragment, max_samples> fragments;
+        const int n = resolve_pixel(won, offsets_, frame_.settings.sample_shading, fragments);
+        for (int i = 0; i < n; ++i, ++tile_.fragments) {
+            const Fragment& f = fragments[static_cast<std::size_t>(i)];
+            const float to_pixel = 1.0F / static_cast<float>(subpixel_one);
+            tile_.fragment_pixel[tile_.fragments] = pixel;
+            tile_.fragment_triangle[tile_.fragments] = f.triangle;
+            tile_.fragment_x[tile_.fragments] = static_cast<float>(f.at.x) * to_pixel;
+            tile_.fragment_y[tile_.fragments] = static_cast<float>(f.at.y) * to_pixel;
+            tile_.fragment_share[tile_.fragments] =
+                static_cast<float>(f.samples) / static_cast<float>(offsets_.size());
+        }
+    }
+
+    const Frame& frame_;
+    TileBuffer& tile_;
+    std::span<const SampleOffset> offsets_;
+};
+
+template <class V>
+void reorder(const TileBuffer& tile, std::vector<V>& values, std::vector<V>& sorted) {
+    sorted.resize(values.size());
+    for (std::size_t i = 0; i < tile.fragments; ++i) {
+        sorted[i] = values[tile.order[i]];
+    }
+    values.swap(sorted);
+}
+
+// A counting sort: fragments of one shader keep their order.
+void sort_by_shader(const Frame& frame, TileBuffer& tile) {
+    const auto shader_of_fragment = [&](std::size_t i) {
+        const auto t = static_cast<std::size_t>(tile.fragment_triangle[i]);
+        return material_of(frame, source_of(frame, tile.triangles[t]));
+    };
+    tile.shader_end.assign(frame.shaders.size() + 1, 0);
+    for (std::size_t i = 0; i < tile.fragments; ++i) {
+        ++tile.shader_end[shader_of_fragment(i) + 1];
+    }
+    for (std::size_t s = 1; s < tile.shader_end.size(); ++s) {
+        tile.shader_end[s] += tile.shader_end[s - 1];
+    }
+    tile.order.resize(tile.fragments);
+    for (std::size_t i = 0; i < tile.fragments; ++i) {
+        tile.order[tile.shader_end[shader_of_fragment(i)]++] = static_cast<std::uint32_t>(i);
+    }
+    reorder(tile, tile.fragment_pixel, tile.sorted_ints);
+    reorder(tile, tile.fragment_triangle, tile.sorted_ints);
+    if (frame.settings.samples > 1) {
+        reorder(tile, tile.fragment_x, tile.sorted_floats);
+        reorder(tile, tile.fragment_y, tile.sorted_floats);
+        reorder(tile, tile.fragment_share, tile.sorted_floats);
+    }
+}
+
+}  // namespace
+
+void list_fragments(const Frame& frame, TileBuffer& tile) {
+    with_lanes(frame.settings.lanes, [&]<int N>() { FragmentList<N>(frame, tile).list(); });
+    if (frame.shaders.size() == 1) {
+        tile.shader_end.assign(1, static_cast<std::uint32_t>(tile.fragments));
+    } else {
+        sort_by_shader(frame, tile);
+    }
+}
+
+}  // namespace glint

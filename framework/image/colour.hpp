@@ -39,4 +39,17 @@ inline glm::vec3 cielab(const glm::vec3& xyz) {
     return opponent({root(xyz.x), root(xyz.y), root(xyz.z)});
 }
 
+// Lightness 0..1, green to red, blue to yellow, where equal distances look equal, to linear RGB
+// (B. Ottosson, "A perceptual color space for image processing", 2020).
+template <Real T>
+Rgb<T> rgb_from_oklab(const Vec3<T>& lab) {
+    const Vec3<T> root(dot(Vec3<T>(1.0, 0.3963377774, 0.2158037573), lab),
+                       dot(Vec3<T>(1.0, -0.1055613458, -0.0638541728), lab),
+                       dot(Vec3<T>(1.0, -0.0894841775, -1.2914855480), lab));
+    const Vec3<T> cones = root * root * root;
+    return {dot(Vec3<T>(4.0767416621, -3.3077115913, 0.2309699292), cones),
+            dot(Vec3<T>(-1.2684380046, 2.6097574011, -0.3413193965), cones),
+            dot(Vec3<T>(-0.0041960863, -0.7034186147, 1.7076147010), cones)};
+}
+
 }  // namespace glint

@@ -1,5 +1,6 @@
 #include "framework/image/heat_map.hpp"
 
+#include "framework/image/colour.hpp"
 #include "framework/image/same_size.hpp"
 #include "framework/image/srgb.hpp"
 
@@ -9,18 +10,6 @@
 
 namespace glint {
 namespace {
-
-// B. Ottosson, "A perceptual color space for image processing", 2020: lightness, green to red,
-// blue to yellow, where equal distances look equal.
-Rgb<float> rgb_from_oklab(const glm::vec3& lab) {
-    const glm::vec3 root(dot(glm::vec3(1.0F, 0.3963377774F, 0.2158037573F), lab),
-                         dot(glm::vec3(1.0F, -0.1055613458F, -0.0638541728F), lab),
-                         dot(glm::vec3(1.0F, -0.0894841775F, -1.2914855480F), lab));
-    const glm::vec3 cones = root * root * root;
-    return {dot(glm::vec3(4.0767416621F, -3.3077115913F, 0.2309699292F), cones),
-            dot(glm::vec3(-1.2684380046F, 2.6097574011F, -0.3413193965F), cones),
-            dot(glm::vec3(-0.0041960863F, -0.7034186147F, 1.7076147010F), cones)};
-}
 
 // A Bezier curve through Oklab that stays inside sRGB, chosen by search: its lightness rises evenly
 // and its hue turns once from blue over red to yellow.

@@ -139,11 +139,12 @@ glm::vec<L, T> max(const glm::vec<L, T>& a, const glm::vec<L, T>& b) {
 // of its length leaves the range of T.
 template <Real T>
 Vec3<T> normalize_or(const Vec3<T>& v, const Vec3<T>& fallback) {
+    constexpr auto least = std::numeric_limits<T>::min();
+    constexpr auto most = std::numeric_limits<T>::max();
     const T square = dot(v, v);
-    const auto usable =
-        (square >= T(std::numeric_limits<T>::min())) & (square <= T(std::numeric_limits<T>::max()));
-    const T scale = T(1.0F) / sqrt(select(MaskOf<T>(usable), square, T(1.0F)));
-    return select(MaskOf<T>(usable), v * scale, fallback);
+    const MaskOf<T> usable = (square >= T(least)) & (square <= T(most));
+    const T scale = T(1.0F) / sqrt(select(usable, square, T(1.0F)));
+    return select(usable, v * scale, fallback);
 }
 
 }  // namespace glint

@@ -20,9 +20,10 @@ struct Reflectances {
 template <Real T>
 T refracted_cosine(const T& n1, const T& n2, const T& cos1) {
     // SOLUTION 10.1
-    const T ratio = n1 / n2;
-    const T square = T(1.0F) - ratio * ratio * ((T(1.0F) - cos1) * (T(1.0F) + cos1));
-    return select(square < T(0.0F), T(-1.0F), sqrt(max(square, T(0.0F))));
+    // (n2 cos2)^2 = n2^2 - n1^2 sin1^2, written so that nothing cancels at grazing incidence
+    const T along = n1 * cos1;
+    const T square = (n2 - n1) * (n2 + n1) + along * along;
+    return select(square < T(0.0F), T(-1.0F), sqrt(max(square, T(0.0F))) / n2);
     // HANDOUT
     // return cos1;  // TODO 10.1: Snell's law
     // END

@@ -21,9 +21,13 @@ glm::mat4 standing(const glm::vec3& position, float scale) {
     return glm::rotate(at(position, scale), 1.45F, glm::vec3(1, 0.25F, 0));
 }
 
-}  // namespace
+struct Places {
+    glm::vec3 sphere, teapot, knot;
+    float teapot_scale;
+};
 
-Scene still_life() {
+// A sphere, the teapot and a torus knot on a round table.
+Scene laid_table(const Places& places) {
     Scene s;
     s.materials = {
         {.name = "table", .diffuse = {0.32F, 0.30F, 0.28F}, .exponent = 30.0F},
@@ -40,20 +44,48 @@ Scene still_life() {
     const glm::vec2 table[] = {{0, -0.3F}, {5.0F, -0.3F}, {5.2F, -0.1F}, {5.1F, 0}, {0, 0}};
     s.mesh = surface_of_revolution(table, 128);
     s.mesh.materials.assign(s.mesh.triangles.size(), 0);
-    append(s.mesh, transform(sphere(1.0F, 96, 48), at({-2.7F, 1.0F, 0.1F})), 1);
-    append(s.mesh, transform(teapot(12), at({-0.1F, 0.0F, 0.0F}, 0.58F)), 2);
-    append(s.mesh, transform(torus_knot({}, 256, 24), standing({2.75F, 1.0F, -0.1F}, 0.68F)), 3);
-    s.lighting.directional = {
-        {normalize(glm::vec3(-0.55F, 0.75F, 0.6F)), Rgb<float>(1.0F, 0.97F, 0.92F)},
-        {normalize(glm::vec3(0.85F, 0.35F, 0.25F)), Rgb<float>(0.16F, 0.20F, 0.28F)},
-    };
-    s.lighting.ambient = Rgb<float>(0.05F, 0.055F, 0.065F);
+    append(s.mesh, transform(sphere(1.0F, 96, 48), at(places.sphere)), 1);
+    append(s.mesh, transform(teapot(12), at(places.teapot, places.teapot_scale)), 2);
+    append(s.mesh, transform(torus_knot({}, 256, 24), standing(places.knot, 0.68F)), 3);
+    s.lighting = key_and_fill();
+    s.background = Rgb<float>(0.010F, 0.012F, 0.016F);
+    return s;
+}
+
+}  // namespace
+
+Lighting key_and_fill() {
+    return {.directional = {{normalize(glm::vec3(-0.55F, 0.75F, 0.6F)), {1.0F, 0.97F, 0.92F}},
+                            {normalize(glm::vec3(0.85F, 0.35F, 0.25F)), {0.16F, 0.20F, 0.28F}}},
+            .point = {},
+            .ambient = {0.05F, 0.055F, 0.065F}};
+}
+
+Lighting three_lamps() {
+    return {.directional = {{normalize(glm::vec3(-0.55F, 0.75F, 0.6F)), {1.0F, 0.97F, 0.92F}},
+                            {normalize(glm::vec3(0.75F, 0.55F, 0.6F)), Rgb<float>(1.0F)},
+                            {normalize(glm::vec3(0.1F, 0.35F, 1.0F)), Rgb<float>(1.0F)}},
+            .point = {},
+            .ambient = {0.05F, 0.055F, 0.065F}};
+}
+
+Scene still_life() {
+    Scene s = laid_table({{-2.7F, 1.0F, 0.1F}, {-0.1F, 0.0F, 0.0F}, {2.75F, 1.0F, -0.1F}, 0.58F});
     s.camera = {.eye = {0.3F, 2.5F, 8.6F},
                 .target = {0.0F, 0.78F, 0.0F},
                 .fov_degrees = 29.5F,
                 .near = 1.0F,
                 .far = 40.0F};
-    s.background = Rgb<float>(0.010F, 0.012F, 0.016F);
+    return s;
+}
+
+Scene still_life_upright() {
+    Scene s = laid_table({{-1.1F, 1.0F, -0.9F}, {-0.05F, 0.0F, 1.4F}, {1.2F, 1.0F, -0.9F}, 0.45F});
+    s.camera = {.eye = {0.3F, 2.7F, 9.6F},
+                .target = {0.07F, 0.8F, 0.0F},
+                .fov_degrees = 27.0F,
+                .near = 1.0F,
+                .far = 40.0F};
     return s;
 }
 

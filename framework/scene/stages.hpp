@@ -9,6 +9,14 @@ namespace glint::stages {
 // height that leaves the table at a grazing angle. A key light and a fill light, some ambient.
 Scene still_life();
 
+// The same things on the same table, closer together: for panels about as high as wide.
+Scene still_life_upright();
+
+// Two light set-ups for them. The first is theirs; the second has two lamps more, as strong as the
+// key light, and stands where the first one burns nothing out.
+Lighting key_and_fill();
+Lighting three_lamps();
+
 // Unit spheres in columns and rows, row by row from the top left, each of its own material, before
 // a dark ground; the camera frames them for a window of that aspect. One key light from the upper
 // left. Error where there are no materials or columns is below 1.

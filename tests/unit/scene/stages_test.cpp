@@ -13,7 +13,13 @@ struct Stage {
     const char* name;
     Scene (*make)();
 };
-constexpr Stage all_stages[] = {{"still life", stages::still_life}};
+constexpr Stage all_stages[] = {{"still life", stages::still_life},
+                                {"still life, upright", stages::still_life_upright},
+                                {"three lamps", [] {
+                                     Scene s = stages::still_life_upright();
+                                     s.lighting = stages::three_lamps();
+                                     return s;
+                                 }}};
 
 TEST_CASE("every stage can be drawn") {
     for (const Stage& stage : all_stages) {

@@ -27,8 +27,7 @@ T radiance_of(const SoftBox& box, const Vec3<T>& direction) {
     return box.radiance * inside(box.right, box.half_size.x) * inside(box.up, box.half_size.y);
 }
 
-// Two lamps in front, to the upper left and to the right; a strip high above; behind, a wall with a
-// pool of light (radiance 0.6) that a dark floor meets at the horizon. The viewer looks along -z.
+// In front, to the upper left and to the right, and high above.
 inline constexpr std::array<SoftBox, 3> studio_lamps{{
     {.towards = {-0.5651184F, 0.5661186F, 0.6001257F},
      .right = {0.7280219F, 0, 0.6855539F},
@@ -47,19 +46,28 @@ inline constexpr std::array<SoftBox, 3> studio_lamps{{
      .radiance = 4},
 }};
 
-template <Real T>
-Rgb<T> studio_light(const Vec3<T>& direction) {
-    // The pool, wide and low, and the fall-off from the horizon down.
-    const T centre = max(dot(Vec3<T>(glm::vec3(0, 0.12F, -0.9928F)), direction), T(0.0F));
-    const T c2 = centre * centre;
-    const T c8 = (c2 * c2) * (c2 * c2);
-    const T wall = 0.04F + 0.56F * (c8 * c8);
-    const T below = clamp(0.5F - direction.y * 16.0F, T(0.0F), T(1.0F));
-    T light = wall * (1.0F - 0.93F * below);
-    for (const SoftBox& lamp : studio_lamps) {
-        light += radiance_of(lamp, direction);
+// What the viewer looks at along -z: a wall with a pool of light in its middle, a ceiling that
+// grows brighter upwards, a dark floor, and the lamps.
+struct Studio {
+    float room = 1.0F;  // scales the light of ceiling and floor
+    float pool = 1.0F;  // of the pool on the wall, which spheres show at their rims
+    float lamps = 1.0F;
+
+    template <Real T>
+    Rgb<T> operator()(const Vec3<T>& direction) const {
+        const T towards_pool = dot(Vec3<T>(glm::vec3(0, 0.12F, -0.9928F)), direction);
+        const T c2 = towards_pool * max(towards_pool, T(0.0F));
+        const T c8 = (c2 * c2) * (c2 * c2);
+        const T above =
+            room * (0.05F + 0.35F * max(direction.y, T(0.0F))) + 0.55F * pool * (c8 * c8);
+        const T below = room * (0.03F + 0.12F * max(-direction.y, T(0.0F)));
+        const T horizon = clamp(0.5F + direction.y * 16.0F, T(0.0F), T(1.0F));
+        T light = below + (above - below) * horizon;
+        for (const SoftBox& lamp : studio_lamps) {
+            light += lamps * radiance_of(lamp, direction);
+        }
+        return Rgb<T>(light);
     }
-    return Rgb<T>(light);
-}
+};
 
 }  // namespace glint

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
          .shaders = shade_each_material([](const Scene& s, const Material& m, const Parameters& p) {
              return Polished<Dielectric>{{{m.diffuse}, s.lighting, s.camera.eye},
                                          {p["n1"], p["n2"], p["fresnel"] > 0},
-                                         1.0F,
+                                         {},
                                          m.name == "studio"};
          })});
 }

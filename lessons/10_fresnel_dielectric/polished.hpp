@@ -15,7 +15,7 @@ template <class Reflectance>
 struct Polished {
     Lit<NormalisedLambert> beneath;
     Reflectance reflectance;
-    float brightness = 1.0F;        // of the studio
+    Studio studio{};
     bool shows_the_studio = false;  // a wall of light instead: what is to be seen in the mirrors
 
     template <class T>
@@ -28,12 +28,12 @@ struct Polished {
         const Vec3<T> N = normalize_or(in.normal, Vec3<T>(T(0.0F)));
         const Vec3<T> V = normalize(beneath.eye - in.position);
         if (shows_the_studio) {
-            return brightness * studio_light(-V);
+            return studio(-V);
         }
         const T cosine = max(dot(N, V), T(0.0F));
         const Vec3<T> R = T(2.0F) * cosine * N - V;
         const Rgb<T> share = reflectance(cosine);
-        const Rgb<T> mirrored = brightness * studio_light(R);
+        const Rgb<T> mirrored = studio(R);
         note("cos(theta)", cosine);
         note("reflectance", share);
         note("mirrored light", mirrored);

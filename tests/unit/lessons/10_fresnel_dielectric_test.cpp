@@ -67,8 +67,8 @@ TEST_CASE("10.2 along the normal: ((n1 - n2)/(n1 + n2))^2 for either polarisatio
     }
     CHECK(std::abs(R(1, 1.333, 0) - 0.0204) < 5e-5);
     CHECK(std::abs(R(1, 1.5, 0) - 0.0400) < 5e-5);
-    CHECK(std::abs(R(1, 1.77, 0) - 0.077) < 5e-4);                         // ruby
-    CHECK(std::abs(R(1, 2.417, 0) - 0.172) < 5e-4);                        // diamond
+    CHECK(std::abs(R(1, 1.77, 0) - 0.077) < 5e-4);   // ruby
+    CHECK(std::abs(R(1, 2.417, 0) - 0.172) < 5e-4);  // diamond
     CHECK(R(1, 3, 0) == doctest::Approx(0.25));
     CHECK(R(1.5, 1.33, 0) == doctest::Approx(0.17 / 2.83 * 0.17 / 2.83));  // glass in water
 }
@@ -181,16 +181,16 @@ TEST_CASE_TEMPLATE("a polished surface shows the studio in the mirror", T, float
     const glm::vec3 eye(0, 1, 5);
     Lighting key;
     key.directional = {{glm::vec3(0, 0, 1), Rgb<float>(float(pi))}};
-    const Polished<Half> surface{{{Rgb<float>(0.25F)}, key, eye}, {}, 2.0F};
+    const Polished<Half> surface{{{Rgb<float>(0.25F)}, key, eye}, {}, {.room = 2, .pool = 2, .lamps = 2}};
     const glm::vec3 V = normalize(eye);
     for (const glm::vec3& L : {glm::vec3(0.6F, 0, 0.8F), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
         const glm::vec3 N = normalize(V + L);
         const Rgb<T> seen = surface(Fragment<T>{Vec3<T>(T(0.0F)), Vec3<T>(N)});
-        CHECK(value(seen.g) == doctest::Approx(double{0.25F * N.z + studio_light(L).g}));
+        CHECK(value(seen.g) == doctest::Approx(double{0.25F * N.z + Studio{}(L).g}));
     }
-    const Polished<Half> wall{{{Rgb<float>(0.25F)}, key, eye}, {}, 2.0F, true};
+    const Polished<Half> wall{{{Rgb<float>(0.25F)}, key, eye}, {}, {.room = 2, .pool = 2, .lamps = 2}, true};
     CHECK(value(wall(Fragment<T>{Vec3<T>(T(0.0F)), Vec3<T>(glm::vec3(1, 0, 0))}).g) ==
-          doctest::Approx(double{2 * studio_light(-V).g}));
+          doctest::Approx(double{2 * Studio{}(-V).g}));
 }
 
 struct Grazing {
@@ -203,7 +203,7 @@ struct Grazing {
 TEST_CASE_TEMPLATE("seen from behind, or without a normal, it is seen at grazing incidence", T,
                    float, double, Float4, Float8, Float16) {
     const Polished<Grazing> surface{{{Rgb<float>(0.0F)}, {}, glm::vec3(0, 1, 5)}, {}};
-    const float light = studio_light(-normalize(glm::vec3(0, 1, 5))).g;
+    const float light = Studio{}(-normalize(glm::vec3(0, 1, 5))).g;
     for (const glm::vec3& N : {glm::vec3(0, 0, -1), glm::vec3(0), glm::vec3(nan, 0, 1)}) {
         const Rgb<T> seen = surface(Fragment<T>{Vec3<T>(T(0.0F)), Vec3<T>(N)});
         CHECK(value(seen.g) == doctest::Approx(double{light}));

@@ -35,17 +35,19 @@ TEST_CASE("the studio lights every direction, in grey, most from the lamps") {
         const float z = 1 - static_cast<float>(i) / 2000;
         const float turn = 2.399963F * static_cast<float>(i);  // the golden angle
         const float r = std::sqrt(std::max(1 - z * z, 0.0F));
-        const Rgb<float> light = studio_light(glm::vec3(r * std::cos(turn), r * std::sin(turn), z));
+        const Rgb<float> light = Studio{}(glm::vec3(r * std::cos(turn), r * std::sin(turn), z));
         REQUIRE(light.r > 0);
         REQUIRE(light.r < 8);
         REQUIRE(light.r == light.g);
         REQUIRE(light.r == light.b);
     }
     for (const SoftBox& lamp : studio_lamps) {
-        CHECK(studio_light(lamp.towards).g >= lamp.radiance);
+        CHECK(Studio{}(lamp.towards).g >= lamp.radiance);
     }
-    CHECK(studio_light(normalize(glm::vec3(0, 0.12F, -1))).g == doctest::Approx(0.6).epsilon(0.01));
-    CHECK(studio_light(glm::vec3(0, -1, 0)).g < 0.005F);
+    CHECK(Studio{}(normalize(glm::vec3(0, 0.12F, -1))).g == doctest::Approx(0.636).epsilon(0.01));
+    CHECK(Studio{}(glm::vec3(0, -1, 0)).g == doctest::Approx(0.15));
+    CHECK(Studio{.room = 0, .pool = 0, .lamps = 2}(glm::vec3(0, 0, -1)).g == 0);
+    CHECK(Studio{.room = 2, .pool = 1, .lamps = 0}(studio_lamps[0].towards).g < 1);
 }
 
 TEST_CASE_TEMPLATE("the studio is the same on many lanes", T, double, Float4, Float8, Float16) {
@@ -53,8 +55,8 @@ TEST_CASE_TEMPLATE("the studio is the same on many lanes", T, double, Float4, Fl
         const float turn = 0.0628F * static_cast<float>(i);
         const glm::vec3 d =
             normalize(glm::vec3(std::sin(turn), std::cos(3 * turn), std::cos(turn)));
-        const T light = studio_light(Vec3<T>(d)).g;
-        const auto error = abs(light - T(studio_light(d).g));
+        const T light = Studio{}(Vec3<T>(d)).g;
+        const auto error = abs(light - T(Studio{}(d).g));
         CHECK(all(error < T(1e-5F)));
     }
 }

@@ -12,8 +12,8 @@ Scene still_life();
 // The same things on the same table, closer together: for panels about as high as wide.
 Scene still_life_upright();
 
-// Two light set-ups for them. The first is theirs; the second has two lamps more, as strong as the
-// key light, and stands where the first one burns nothing out.
+// Two light set-ups for them: their own, and one with two lamps more, each as strong as the key
+// light, which burns out what was tweaked for the first.
 Lighting key_and_fill();
 Lighting three_lamps();
 

@@ -1,0 +1,16 @@
+#include "framework/raster/shader.hpp"
+
+#include <doctest/doctest.h>
+
+namespace glint {
+
+#include "readme_shader.hpp"
+
+TEST_CASE("the README's shader is one, and paints two tones") {
+    const TwoTones shader;
+    CHECK(plug(shader).varyings == 3);
+    CHECK(shader({glm::vec3(0, 2, 0)}) == Rgb<float>(0.8F));
+    CHECK(shader({glm::vec3(0, 0, 1)}) == Rgb<float>(0.2F));
+}
+
+}  // namespace glint

@@ -119,7 +119,7 @@ int run(int argc, const char* const* argv, const Lesson& lesson) {
         o.outs.push_back("out/" + lesson.name + ".png");
     }
     if (o.window) {
-        return run_window(lesson, o, make_scene(lesson, o));
+        return run_window(lesson, o);
     }
     if (o.probe) {
         probe(lesson, o);

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
@@ -140,7 +141,7 @@ void add_output(CLI::App& app, Options& o, const std::string& name) {
                                           {"overdraw", ViewMode::overdraw},
                                           {"tiles", ViewMode::tiles}});
            });
-    option(app, "--frames", "N", "draw so often, for --stats (1)",
+    option(app, "--frames", "N", "draw so often, for --stats (1); with --window, close it then",
            [&](Text t) { o.frames = count("--frames", t, 1000000); });
     option(app, "--stats", "FILE|-", "times and counts as JSON; - for standard output",
            [&](Text t) { o.stats = t; });
@@ -155,7 +156,8 @@ void add_output(CLI::App& app, Options& o, const std::string& name) {
     });
     option(app, "--compare", "FILE.png", "measure the difference from this picture",
            [&](Text t) { o.compare = t; });
-    app.add_flag("--window", o.window, "open a live window");
+    app.add_flag("--window", o.window,
+                 "open a live window; its key F1 says what keys and mouse do");
 }
 
 std::string footer(const Parameters& parameters) {
@@ -203,6 +205,9 @@ void Parameters::set(std::string_view name, float value) {
             if (!(value >= p.low && value <= p.high)) {
                 refuse("--set", p.name + "=" + short_number(value),
                        "lies within " + short_number(p.low) + ".." + short_number(p.high));
+            }
+            if (p.whole && value != std::round(value)) {
+                refuse("--set", p.name + "=" + short_number(value), "takes whole numbers");
             }
             p.value = value;
             return;

@@ -18,6 +18,7 @@ struct Parameter {
     float value;
     float low, high;
     std::string meaning;
+    bool whole = false;  // takes whole numbers only
 };
 
 class Parameters {
@@ -26,7 +27,7 @@ class Parameters {
     Parameters(std::initializer_list<Parameter> all) : all_(all) {}
     // The value of a parameter that the lesson declared; Error for other names.
     float operator[](std::string_view name) const;
-    // Error for unknown names and values beyond the parameter's limits.
+    // Error for unknown names and values that the parameter does not take.
     void set(std::string_view name, float value);
     std::vector<Parameter>& all() { return all_; }
     const std::vector<Parameter>& all() const { return all_; }
@@ -50,7 +51,7 @@ struct Options {
     Settings settings;
     ViewMode view = ViewMode::shaded;
     std::vector<std::string> outs;
-    int frames = 1;
+    int frames = 0;  // 0: one picture, or a window until it is closed
     std::string stats;  // file, "-" for standard output, empty for none
     std::optional<std::pair<int, int>> probe;
     std::string compare;

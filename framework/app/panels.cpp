@@ -30,28 +30,6 @@ void add(const Statistics& part, Statistics& sum) {
     }
 }
 
-void add(const Drawing& part, int left, const Options& o, Drawing& whole) {
-    if (whole.srgb.empty()) {
-        whole.srgb = SrgbImage(o.width, o.height);
-        whole.linear = part.linear.empty() ? LinearImage() : LinearImage(o.width, o.height);
-        whole.values = part.values.empty() ? Image<float>() : Image<float>(o.width, o.height);
-        whole.frames.resize(part.frames.size());
-    }
-    paste(part.srgb, left, whole.srgb);
-    for (int y = 0; y < o.height && left > 0; ++y) {
-        whole.srgb(left, y) = line;
-    }
-    if (!part.linear.empty()) {
-        paste(part.linear, left, whole.linear);
-    }
-    if (!part.values.empty()) {
-        paste(part.values, left, whole.values);
-    }
-    for (std::size_t i = 0; i < part.frames.size(); ++i) {
-        add(part.frames[i], whole.frames[i]);
-    }
-}
-
 }  // namespace
 
 std::vector<PanelOptions> panels_of(const Lesson& lesson, const Options& o) {
@@ -75,6 +53,28 @@ std::vector<PanelOptions> panels_of(const Lesson& lesson, const Options& o) {
     return parts;
 }
 
+void add_panel(const Drawing& part, int left, const Options& o, Drawing& whole) {
+    if (whole.srgb.empty()) {
+        whole.srgb = SrgbImage(o.width, o.height);
+        whole.linear = part.linear.empty() ? LinearImage() : LinearImage(o.width, o.height);
+        whole.values = part.values.empty() ? Image<float>() : Image<float>(o.width, o.height);
+        whole.frames.resize(part.frames.size());
+    }
+    paste(part.srgb, left, whole.srgb);
+    for (int y = 0; y < o.height && left > 0; ++y) {
+        whole.srgb(left, y) = line;
+    }
+    if (!part.linear.empty()) {
+        paste(part.linear, left, whole.linear);
+    }
+    if (!part.values.empty()) {
+        paste(part.values, left, whole.values);
+    }
+    for (std::size_t i = 0; i < part.frames.size(); ++i) {
+        add(part.frames[i], whole.frames[i]);
+    }
+}
+
 Drawing draw_panels(const Lesson& lesson, const Options& o) {
     const std::vector<PanelOptions> parts = panels_of(lesson, o);
     Drawing whole;
@@ -83,7 +83,7 @@ Drawing draw_panels(const Lesson& lesson, const Options& o) {
         if (parts.size() == 1) {
             return part;
         }
-        add(part, left, o, whole);
+        add_panel(part, left, o, whole);
     }
     return whole;
 }

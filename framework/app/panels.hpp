@@ -17,7 +17,11 @@ struct PanelOptions {
 // where the command line sets a parameter that the panels differ in.
 std::vector<PanelOptions> panels_of(const Lesson& lesson, const Options& options);
 
-// Draws every panel and puts them together, a dark line between; statistics are summed up.
+// Puts the drawing of a panel that begins at left into the whole, options.width x options.height, a
+// dark line before it; its statistics are added. An empty whole is made first.
+void add_panel(const Drawing& part, int left, const Options& options, Drawing& whole);
+
+// Draws every panel and puts them together.
 Drawing draw_panels(const Lesson& lesson, const Options& options);
 
 }  // namespace glint

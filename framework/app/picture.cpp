@@ -16,6 +16,14 @@ bool shows_surfaces(ViewMode mode) {
 
 }  // namespace
 
+Settings settings_for(const Options& o) {
+    Settings settings = o.settings;
+    if (!shows_surfaces(o.view)) {
+        settings.samples = 1;
+    }
+    return settings;
+}
+
 View view_of(const Scene& scene, int width, int height) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     return {clip_from_world(scene.camera, aspect), width, height};
@@ -62,11 +70,7 @@ Drawing draw_view(ViewMode mode, Renderer& renderer, const Scene& scene, const V
 }
 
 Drawing draw(const Lesson& lesson, const Options& o, const Scene& scene) {
-    Settings settings = o.settings;
-    if (!shows_surfaces(o.view)) {
-        settings.samples = 1;
-    }
-    Renderer renderer(settings);
+    Renderer renderer(settings_for(o));
     const ShaderSet shading = lesson.shaders(scene, o.parameters);
     const View view = view_of(scene, o.width, o.height);
     const bool linear = std::any_of(o.outs.begin(), o.outs.end(),

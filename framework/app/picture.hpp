@@ -20,6 +20,9 @@ struct Drawing {
 // the first touch of memory. The views depth, triangle, overdraw and tiles take one sample a pixel.
 Drawing draw(const Lesson& lesson, const Options& options, const Scene& scene);
 
+// The settings that options.view is drawn with.
+Settings settings_for(const Options& options);
+
 View view_of(const Scene& scene, int width, int height);
 
 // The window of a view as a picture: for the live window, which keeps its renderer.

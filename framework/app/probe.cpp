@@ -40,6 +40,71 @@ std::optional<Hit> winner(const Mesh& mesh, const View& view, Cull cull, std::in
     return best;
 }
 
+template <class T>
+std::array<T, max_varyings> varyings_at(const Shader& shader, const Mesh& mesh, const Hit& hit,
+                                        const Barycentrics<T>& b) {
+    std::array<T, max_varyings> values{};
+    interpolate(corner_varyings(shader, mesh, hit.triangle), shader.varyings, b.space,
+                values.data(), 1);
+    return values;
+}
+
+std::vector<Reading> barycentric_readings(const std::string& name, const auto& f, const auto& d) {
+    std::vector<Reading> all;
+    for (std::size_t i = 0; i < 3; ++i) {
+        all.push_back({name + std::to_string(i), double{f[i]}, d[i]});
+    }
+    return all;
+}
+
+void add_geometry(PixelReport& report, const Hit& hit, std::int64_t x, std::int64_t y,
+                  const Barycentrics<float>& f, const Barycentrics<double>& d) {
+    report.words.push_back("triangle " + std::to_string(hit.triangle.source) +
+                           (hit.triangle.clipped ? " (a piece of it, clipped)" : ""));
+    report.doubled_area =
+        static_cast<double>(hit.edges.double_area) / (subpixel_one * subpixel_one);
+    for (const Edge& e : hit.edges.edge) {
+        report.edges.push_back({e.at(x, y) + (e.inclusive ? 0 : 1), e.inclusive});
+    }
+    report.screen = barycentric_readings("screen barycentric ", f.screen, d.screen);
+    report.readings = barycentric_readings("barycentric ", f.space, d.space);
+    double depth = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        depth += d.screen[i] * double{hit.triangle.v[i].z};
+    }
+    report.readings.push_back({"depth", double{hit.depth}, depth});
+}
+
+void add_notes(PixelReport& report, const std::vector<Note>& f, const std::vector<Note>& d) {
+    for (std::size_t i = 0; i < d.size() && i < f.size(); ++i) {
+        for (int c = 0; c < d[i].components; ++c) {
+            const auto at = static_cast<std::size_t>(c);
+            const std::string suffix = d[i].components == 1 ? "" : std::string(".") + "xyz"[c];
+            report.readings.push_back(
+                {std::string(d[i].name) + suffix, f[i].value[at], d[i].value[at]});
+        }
+    }
+}
+
+void add_shading(PixelReport& report, const Shader& shader, const float* in_float,
+                 const double* in_double) {
+    if (shader.explain_float != nullptr) {
+        std::vector<Note> notes_float;
+        std::vector<Note> notes_double;
+        shader.explain_float(shader.shader, in_float, notes_float);
+        shader.explain_double(shader.shader, in_double, notes_double);
+        add_notes(report, notes_float, notes_double);
+    }
+    float rgb_float[3];
+    double rgb_double[3];
+    shader.shade_1(shader.shader, in_float, 1, 1, rgb_float);
+    shader.reference(shader.shader, in_double, 1, 1, rgb_double);
+    for (int c = 0; c < 3; ++c) {
+        report.readings.push_back(
+            {std::string("radiance.") + "rgb" [c], double { rgb_float[c] }, rgb_double[c]});
+    }
+}
+
 class Table {
   public:
     Table() { out_ << std::setprecision(9); }
@@ -57,67 +122,18 @@ class Table {
     std::ostringstream out_;
 };
 
-template <class T>
-std::array<T, max_varyings> varyings_at(const Shader& shader, const Mesh& mesh, const Hit& hit,
-                                        const Barycentrics<T>& b) {
-    std::array<T, max_varyings> values{};
-    interpolate(corner_varyings(shader, mesh, hit.triangle), shader.varyings, b.space,
-                values.data(), 1);
-    return values;
-}
-
-void print_geometry(Table& table, const Hit& hit, std::int64_t x, std::int64_t y,
-                    const Barycentrics<float>& f, const Barycentrics<double>& d) {
-    table.text("triangle " + std::to_string(hit.triangle.source) +
-               (hit.triangle.clipped ? " (a piece of it, clipped)" : ""));
-    table.line("doubled area, px^2",
-               static_cast<double>(hit.edges.double_area) / (subpixel_one * subpixel_one));
-    table.line("", "E, 1/65536 px^2", "top or left");
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Edge& e = hit.edges.edge[i];
-        table.line("edge " + std::to_string(i), e.at(x, y) + (e.inclusive ? 0 : 1),
-                   e.inclusive ? "yes" : "no");
-    }
-    table.line("", "float", "double", "difference");
-    for (std::size_t i = 0; i < 3; ++i) {
-        table.line("screen barycentric " + std::to_string(i), f.screen[i], d.screen[i],
-                   f.screen[i] - d.screen[i]);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        table.line("barycentric " + std::to_string(i), f.space[i], d.space[i],
-                   f.space[i] - d.space[i]);
-    }
-    double depth = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        depth += d.screen[i] * double{hit.triangle.v[i].z};
-    }
-    table.line("depth", hit.depth, depth, hit.depth - depth);
-}
-
-void print_notes(Table& table, const std::vector<Note>& f, const std::vector<Note>& d) {
-    for (std::size_t i = 0; i < d.size() && i < f.size(); ++i) {
-        for (int c = 0; c < d[i].components; ++c) {
-            const auto at = static_cast<std::size_t>(c);
-            const std::string suffix = d[i].components == 1 ? "" : std::string(".") + "xyz"[c];
-            table.line(std::string(d[i].name) + suffix, f[i].value[at], d[i].value[at],
-                       f[i].value[at] - d[i].value[at]);
-        }
-    }
-}
-
 }  // namespace
 
-std::string explain_pixel(const Lesson& lesson, const Options& o, const Scene& scene) {
+PixelReport probe_pixel(const Lesson& lesson, const Options& o, const Scene& scene) {
     const View view = view_of(scene, o.width, o.height);
     const auto [px, py] = *o.probe;
     const std::int64_t x = px * subpixel_one + subpixel_one / 2;
     const std::int64_t y = py * subpixel_one + subpixel_one / 2;
-    Table table;
-    table.text("pixel " + std::to_string(px) + "," + std::to_string(py) + ", at its centre");
+    PixelReport report;
     const std::optional<Hit> hit = winner(scene.mesh, view, o.settings.cull, x, y);
     if (!hit) {
-        table.text("nothing is drawn here");
-        return table.str();
+        report.words.emplace_back("nothing is drawn here");
+        return report;
     }
     const ShaderSet set = lesson.shaders(scene, o.parameters);
     const std::uint16_t material = scene.mesh.materials.empty()
@@ -126,25 +142,35 @@ std::string explain_pixel(const Lesson& lesson, const Options& o, const Scene& s
     const Shader& shader = set.shaders[material];
     const auto f = barycentrics<float>(hit->triangle, hit->edges, x, y);
     const auto d = barycentrics<double>(hit->triangle, hit->edges, x, y);
-    table.text("material " + scene.materials[material].name);
-    print_geometry(table, *hit, x, y, f, d);
+    report.words.push_back("material " + scene.materials[material].name);
+    add_geometry(report, *hit, x, y, f, d);
+    add_shading(report, shader, varyings_at<float>(shader, scene.mesh, *hit, f).data(),
+                varyings_at<double>(shader, scene.mesh, *hit, d).data());
+    return report;
+}
 
-    const auto in_float = varyings_at<float>(shader, scene.mesh, *hit, f);
-    const auto in_double = varyings_at<double>(shader, scene.mesh, *hit, d);
-    if (shader.explain_float != nullptr) {
-        std::vector<Note> notes_float;
-        std::vector<Note> notes_double;
-        shader.explain_float(shader.shader, in_float.data(), notes_float);
-        shader.explain_double(shader.shader, in_double.data(), notes_double);
-        print_notes(table, notes_float, notes_double);
+std::string explain_pixel(const Lesson& lesson, const Options& options, const Scene& scene) {
+    const PixelReport report = probe_pixel(lesson, options, scene);
+    Table table;
+    table.text("pixel " + std::to_string(options.probe->first) + "," +
+               std::to_string(options.probe->second) + ", at its centre");
+    for (const std::string& words : report.words) {
+        table.text(words);
     }
-    float rgb_float[3];
-    double rgb_double[3];
-    shader.shade_1(shader.shader, in_float.data(), 1, 1, rgb_float);
-    shader.reference(shader.shader, in_double.data(), 1, 1, rgb_double);
-    for (int c = 0; c < 3; ++c) {
-        table.line(std::string("radiance.") + "rgb"[c], rgb_float[c], rgb_double[c],
-                   rgb_float[c] - rgb_double[c]);
+    if (report.edges.empty()) {
+        return table.str();
+    }
+    table.line("doubled area, px^2", report.doubled_area);
+    table.line("", "E, 1/65536 px^2", "top or left");
+    for (std::size_t i = 0; i < report.edges.size(); ++i) {
+        table.line("edge " + std::to_string(i), report.edges[i].value,
+                   report.edges[i].inclusive ? "yes" : "no");
+    }
+    table.line("", "float", "double", "difference");
+    for (const auto* readings : {&report.screen, &report.readings}) {
+        for (const Reading& r : *readings) {
+            table.line(r.name, r.in_float, r.in_double, r.in_float - r.in_double);
+        }
     }
     return table.str();
 }

@@ -1,11 +1,198 @@
 #include "framework/app/window.hpp"
 
+#include "framework/app/window_viewer.hpp"
 #include "framework/math/error.hpp"
 
-namespace glint {
+#include <SDL.h>
 
-int run_window(const Lesson&, const Options&, const Scene&) {
-    throw Error("--window: this build has no SDL2; install libsdl2-dev and build again");
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace glint {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+    throw Error("--window: " + what + " (" + SDL_GetError() + ")");
+}
+
+struct Session {
+    Session() {
+        // What shows windows; SDL would go on to drivers that draw where nobody sees it. Who sets
+        // SDL_VIDEODRIVER is not overruled.
+        SDL_SetHint(SDL_HINT_VIDEODRIVER,
+                    std::getenv("WAYLAND_DISPLAY") != nullptr ? "x11,wayland" : "x11");
+        SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+        // Pixels go straight to the window: no OpenGL is set up to copy them.
+        SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+        if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+            fail("there is no display to open a window on");
+        }
+        SDL_StopTextInput();  // keys are keys, not letters on their way to an input method
+    }
+    ~Session() { SDL_Quit(); }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+};
+
+struct Freed {
+    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+    void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
+    void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Freed>;
+
+class Window {
+  public:
+    Window(const std::string& title, int width, int height)
+        : window_(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
+                                   width, height, SDL_WINDOW_RESIZABLE)) {
+        if (!window_) {
+            fail("the display opens no window");
+        }
+        arrow_.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_ARROW));
+        sideways_.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_SIZEWE));
+    }
+
+    void show(const SrgbImage& picture) {
+        // SDL only reads these pixels, but its type for them is not const.
+        auto* pixels = const_cast<Rgba8*>(picture.pixels().data());
+        const int pitch = picture.width() * static_cast<int>(sizeof(Rgba8));
+        const Owned<SDL_Surface> from(SDL_CreateRGBSurfaceWithFormatFrom(
+            pixels, picture.width(), picture.height(), 32, pitch, SDL_PIXELFORMAT_RGBA32));
+        SDL_Surface* to = SDL_GetWindowSurface(window_.get());
+        if (!from || to == nullptr) {
+            fail("the window takes no picture");
+        }
+        SDL_SetSurfaceBlendMode(from.get(), SDL_BLENDMODE_NONE);
+        SDL_BlitSurface(from.get(), nullptr, to, nullptr);
+        SDL_UpdateWindowSurface(window_.get());
+    }
+
+    void point_sideways(bool sideways) { SDL_SetCursor(sideways ? sideways_.get() : arrow_.get()); }
+
+  private:
+    Owned<SDL_Window> window_;
+    Owned<SDL_Cursor> arrow_, sideways_;
+};
+
+// The key by its letter on the user's keyboard, else by its place on a US keyboard.
+std::optional<Action> meaning_of(const SDL_Keysym& key) {
+    if ((key.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) {
+        return std::nullopt;
+    }
+    const bool shift = (key.mod & KMOD_SHIFT) != 0;
+    const auto by_letter = action_of(SDL_GetKeyName(key.sym), shift);
+    return by_letter ? by_letter : action_of(SDL_GetScancodeName(key.scancode), shift);
+}
+
+std::optional<MouseButton> button_of(std::uint8_t number) {
+    switch (number) {
+        case SDL_BUTTON_LEFT:
+            return MouseButton::left;
+        case SDL_BUTTON_MIDDLE:
+            return MouseButton::middle;
+        case SDL_BUTTON_RIGHT:
+            return MouseButton::right;
+        default:
+            return std::nullopt;
+    }
+}
+
+// Carries what happens to the window to the viewer.
+class Messenger {
+  public:
+    Messenger(Viewer& viewer, Window& window) : viewer_(viewer), window_(window) {}
+
+    void take(const SDL_Event& e) {
+        switch (e.type) {
+            case SDL_QUIT:
+                viewer_.act(Action::close);
+                break;
+            case SDL_KEYDOWN:
+                press(e.key);
+                break;
+            case SDL_MOUSEBUTTONDOWN:
+                if (const auto button = button_of(e.button.button)) {
+                    const bool shift = (SDL_GetModState() & KMOD_SHIFT) != 0;
+                    mouse_.press(*button, shift, viewer_.on_split_line(e.button.x), e.button.x,
+                                 e.button.y);
+                }
+                break;
+            case SDL_MOUSEBUTTONUP:
+                if (const auto button = button_of(e.button.button)) {
+                    viewer_.act(mouse_.release(*button, e.button.x, e.button.y));
+                }
+                break;
+            case SDL_MOUSEMOTION:
+                viewer_.act(mouse_.move(e.motion.x, e.motion.y));
+                window_.point_sideways(viewer_.on_split_line(e.motion.x));
+                break;
+            case SDL_MOUSEWHEEL:
+                viewer_.zoom_steps(e.wheel.preciseY);
+                break;
+            case SDL_WINDOWEVENT:
+                change(e.window);
+                break;
+            default:
+                break;
+        }
+    }
+
+    // Whether the window lost what it showed since it was last asked.
+    bool lost_picture() { return std::exchange(lost_, false); }
+
+  private:
+    void press(const SDL_KeyboardEvent& key) {
+        const auto action = meaning_of(key.keysym);
+        if (action && (key.repeat == 0 || repeats(*action))) {
+            viewer_.act(*action);
+        }
+    }
+    void change(const SDL_WindowEvent& e) {
+        if (e.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
+            viewer_.resize(e.data1, e.data2);
+        }
+        lost_ =
+            lost_ || e.event == SDL_WINDOWEVENT_EXPOSED || e.event == SDL_WINDOWEVENT_SIZE_CHANGED;
+    }
+
+    Viewer& viewer_;
+    Window& window_;
+    Mouse mouse_;
+    bool lost_ = false;
+};
+
+}  // namespace
+
+int run_window(const Lesson& lesson, const Options& options) {
+    Viewer viewer(lesson, options);
+    const Session session;
+    Window window(lesson.title, options.width, options.height);
+    Messenger messenger(viewer, window);
+    SDL_Event event;
+    for (int drawn = 0; !viewer.closed();) {
+        // All that has happened goes into one frame, so that a slow frame does not lag behind.
+        while (SDL_PollEvent(&event) != 0) {
+            messenger.take(event);
+        }
+        if (messenger.lost_picture() || viewer.stale()) {
+            window.show(viewer.frame());
+            if (++drawn == options.frames) {
+                break;
+            }
+        }
+        if (options.frames > 0) {
+            viewer.redraw();
+        } else if (SDL_WaitEvent(&event) != 0) {
+            messenger.take(event);
+        }
+    }
+    return 0;
 }
 
 }  // namespace glint

@@ -5,8 +5,8 @@
 
 namespace glint {
 
-// Shows the scene until the user closes it; returns main()'s exit code. Error where this build has
-// no SDL2 or there is no display.
-int run_window(const Lesson& lesson, const Options& options, const Scene& scene);
+// Shows the lesson's picture until the user closes it or options.frames are drawn; returns main()'s
+// exit code. Error where this build has no SDL2 or there is no display.
+int run_window(const Lesson& lesson, const Options& options);
 
 }  // namespace glint

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "01_ad_hoc_phong",
          .title = "Lesson 1: ambient + Kd (N.L) + Ks (V.R)^n, tweaked by hand",
-         .parameters = {{"lights", 1, 1, 2, "1: key and fill light, 2: three lamps"}},
+         .parameters = {{"lights", 1, 1, 2, "1: key and fill light, 2: three lamps", true}},
          .panels = {{{"lights", 1}}, {{"lights", 2}}},
          .stage = under_lights,
          .shaders = shade_each_material([](const Scene& s, const Material& m, const Parameters&) {

@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "09_normalised_phong",
          .title = "Lesson 9: Phong's lobe with (n + 2)/(2 pi), beside the one without",
-         .parameters = {{"normalised", 1, 0, 1, "0: (V.R)^n, 1: (n + 2)/(2 pi) (V.R)^n"}},
+         .parameters = {{"normalised", 1, 0, 1, "0: (V.R)^n, 1: (n + 2)/(2 pi) (V.R)^n", true}},
          .panels = {{{"normalised", 0}}, {{"normalised", 1}}},
          .stage = exponents,
          .shaders = shade_each_material([](const Scene& s, const Material& m, const Parameters& p) {

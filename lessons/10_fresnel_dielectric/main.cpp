@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "10_fresnel_dielectric",
          .title = "Lesson 10: Fresnel's reflectance of dielectrics, beside a constant one",
-         .parameters = {{"fresnel", 1, 0, 1, "0: R as along the normal, 1: R by the angle"},
+         .parameters = {{"fresnel", 1, 0, 1, "0: R as along the normal, 1: R by the angle", true},
                         {"n1", 1, 0.1F, 10, "refractive index on the viewer's side"},
                         {"n2", 1.5F, 0.1F, 10, "refractive index beneath the surface"}},
          .panels = {{{"fresnel", 0}}, {{"fresnel", 1}}},

@@ -62,7 +62,7 @@ V schlick_gaussian(const V& F0, const T& cos_i) {
 // before grazing. lazanyi_dip() meets the exact reflectance at cos = 1/7, where the term peaks.
 template <Real T>
 T lazanyi_dip(const T& F0, const T& exact_at_a_seventh) {
-    const T c(1.0 / 7.0);
+    const T c = T(1.0F) / T(7.0F);
     return (schlick(F0, c) - exact_at_a_seventh) / (c * schlick_weight(c) * (T(1.0F) - c));
 }
 

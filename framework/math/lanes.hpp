@@ -87,7 +87,7 @@ using std::abs;
 using std::sqrt;
 template <int N>
 Float<N> sqrt(Float<N> a) {
-    return xsimd::sqrt(a.v);
+    return simd::sqrt(a.v);
 }
 template <int N>
 Float<N> abs(Float<N> a) {

@@ -80,6 +80,10 @@ F fma(F a, F b, F c) {  // the library's rounds once, and takes fifty times as l
 #endif
 
 template <class F>
+F sqrt(F a) {
+    return xsimd::sqrt(a);
+}
+template <class F>
 F min(F a, F b) {
     return xsimd::min(a, b);
 }
@@ -121,6 +125,9 @@ int store_compressed(std::int32_t* to, std::uint32_t lanes, I a) {
 #if XSIMD_WITH_NEON64
 inline Floats<4> fma(Floats<4> a, Floats<4> b, Floats<4> c) {
     return vfmaq_f32(c, a, b);
+}
+inline Floats<4> sqrt(Floats<4> a) {  // xsimd's is approximate
+    return vsqrtq_f32(a);
 }
 inline Floats<4> min(Floats<4> a, Floats<4> b) {  // its own min returns NaN if either is
     return vbslq_f32(vcltq_f32(a, b), a, b);

@@ -2,6 +2,7 @@
 // for light that enters a metal is absorbed within a fraction of a micrometre.
 #pragma once
 
+#include "framework/image/srgb.hpp"
 #include "framework/math/vec.hpp"
 
 #include <array>
@@ -37,6 +38,20 @@ inline Rgb<float> diffuse_albedo(const Rgb<float>& Cd, bool metal) {
     return metal ? Rgb<float>(0.0F) : Cd;
     // HANDOUT
     // return Cd;  // TODO 13.1: metals have no diffuse reflection
+    // END
+}
+
+// F0 from a colour that was picked off a screen or a table, sRGB values 0..1: codes for light, by a
+// curve that spends more of them on the dark; reflectances are shares of light.
+inline Rgb<float> f0_from_srgb(const Rgb<float>& encoded) {
+    // SOLUTION 13.2
+    Rgb<float> linear;
+    for (int band = 0; band < 3; ++band) {
+        linear[band] = static_cast<float>(srgb_decode(double{encoded[band]}));
+    }
+    return linear;
+    // HANDOUT
+    // return encoded;  // TODO 13.2: to linear
     // END
 }
 

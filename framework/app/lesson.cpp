@@ -85,10 +85,21 @@ void probe(const Lesson& lesson, const Options& o) {
     std::cout << explain_pixel(lesson, at.options, make_scene(lesson, at.options));
 }
 
-void make_folder_of_default_out(const Options& o) {
+void require_folder_of(const std::string& file) {
+    const auto folder = std::filesystem::path(file).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw Error(file + ": there is no folder " + folder.string());
+    }
+}
+
+void prepare_folders(const Options& o) {
     if (o.outs.front().starts_with("out/")) {
         std::filesystem::create_directories("out");
     }
+    for (const std::string& out : o.outs) {
+        require_folder_of(out);
+    }
+    require_folder_of(o.stats);
 }
 
 // Everything that can fail for bad input comes before the first file is written.
@@ -97,7 +108,7 @@ void draw_picture(const Lesson& lesson, const Options& o) {
     const Drawing drawing = draw_panels(lesson, o);
     const Metrics metrics =
         o.compare.empty() ? Metrics() : measure_difference(reference, drawing.srgb);
-    make_folder_of_default_out(o);
+    prepare_folders(o);
     for (const std::string& out : o.outs) {
         write_picture(out, drawing);
     }

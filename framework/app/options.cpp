@@ -62,6 +62,7 @@ void add_scene(CLI::App& app, Options& o) {
             refuse("--set", t, "needs NAME=NUMBER");
         }
         o.parameters.set(parts[0], *value);
+        o.set.push_back(parts[0]);
     });
 }
 

@@ -57,6 +57,7 @@ struct Options {
     std::string compare;
     bool window = false;
     Parameters parameters;
+    std::vector<std::string> set;  // the parameters that --set named
 };
 
 // What is asked for, with Error for what cannot be. --help prints and ends the program with 0.

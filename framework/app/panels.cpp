@@ -7,8 +7,10 @@ namespace {
 
 constexpr Rgba8 line{24, 24, 24, 255};
 
+// By the command line, or in the window.
 bool is_set(const Lesson& lesson, const Options& o, const std::string& parameter) {
-    return o.parameters[parameter] != lesson.parameters[parameter];
+    return std::find(o.set.begin(), o.set.end(), parameter) != o.set.end() ||
+           o.parameters[parameter] != lesson.parameters[parameter];
 }
 
 template <class Pixel>

@@ -69,7 +69,7 @@ void write_statistics(const Options& o, const Drawing& drawing) {
     json["rasterizer"] = tiles ? "tiles" : "scanline";
     json["threads"] = tiles ? o.settings.threads : 1;
     json["lanes"] = tiles ? o.settings.lanes : 1;
-    json["samples"] = o.settings.samples;
+    json["samples"] = settings_for(o).samples;
     json["instruction_set"] = instruction_set;
     const std::string text = json.dump(2) + "\n";
     if (o.stats == "-") {

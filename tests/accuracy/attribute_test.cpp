@@ -1,0 +1,170 @@
+// The error of interpolated attributes, of slivers and of large triangles far from the window's
+// corner: the tiles' planes stay accurate where planes anchored at that corner fail.
+#include "framework/raster/assemble.hpp"
+#include "framework/raster/interpolate.hpp"
+#include "framework/raster/tile.hpp"
+#include "tests/oracle/random.hpp"
+#include "tests/unit/raster/drawing.hpp"
+#include "tests/unit/raster/rays.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace glint {
+namespace {
+
+using oracle::Random;
+
+constexpr int width = 1000;
+constexpr int height = 64;
+const Camera camera{
+    .eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_degrees = 45, .near = 0.1F, .far = 100};
+
+// A triangle by its window positions, each at its own distance, near the window's right end. Its
+// uvs are 1, 0 and 0, 1 and 0, 0: barycentric coordinates.
+Mesh any_triangle(Random& random, const Rays& rays) {
+    const double size = std::pow(10.0, random.real(0.3, 3.5));
+    const double flatness = std::pow(10.0, random.real(-2.5, 0));
+    const glm::dvec2 centre(random.real(700, width), random.real(0, height));
+    const double turn = random.real(0, 2 * std::numbers::pi);
+    const glm::dvec2 along(std::cos(turn), std::sin(turn));
+    const glm::dvec2 across(-along.y, along.x);
+    const glm::dvec2 corners[] = {{-0.5, 0}, {0.5, 0}, {random.real(-0.5, 0.5), flatness}};
+    Mesh mesh;
+    for (const glm::dvec2& c : corners) {
+        const glm::dvec2 p = centre + size * (c.x * along + c.y * across);
+        mesh.positions.emplace_back(rays.direction(p.x, p.y) * random.real(1, 4));
+    }
+    mesh.uvs = {{1, 0}, {0, 1}, {0, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    return mesh;
+}
+
+// Attributes as planes in float from the window's corner, as one would at first.
+class NaivePlanes {
+  public:
+    NaivePlanes(const ScreenTriangle& t, const Edges& edges) {
+        for (int i = 0; i < 3; ++i) {
+            const Edge& e = edges.edge[static_cast<std::size_t>(i)];
+            const double scale = static_cast<double>(t.v[i].inverse_w) /
+                                 std::abs(static_cast<double>(edges.double_area));
+            const glm::vec3 plane(static_cast<double>(e.a * subpixel_one) * scale,
+                                  static_cast<double>(e.b * subpixel_one) * scale,
+                                  static_cast<double>(e.c) * scale);
+            s_ += plane;
+            if (i < 2) {
+                uv_[i] = plane;
+            }
+        }
+    }
+    glm::vec2 at(int x, int y) const {
+        const glm::vec3 p(x + 0.5, y + 0.5, 1);
+        return glm::vec2(dot(uv_[0], p), dot(uv_[1], p)) / dot(s_, p);
+    }
+
+  private:
+    glm::vec3 s_{0}, uv_[2]{};
+};
+
+// How steep interpolants can be: the triangle's least height in pixels, and how depth varies.
+struct Shape {
+    double height, depth_ratio;
+};
+Shape shape_of(const ScreenTriangle& t, const Edges& edges) {
+    double longest = 0;
+    for (const Edge& e : edges.edge) {
+        longest = std::max(longest, std::hypot(static_cast<double>(e.a), static_cast<double>(e.b)));
+    }
+    const auto [far, near] = std::minmax({t.v[0].inverse_w, t.v[1].inverse_w, t.v[2].inverse_w});
+    return {std::abs(static_cast<double>(edges.double_area)) / longest / subpixel_one,
+            double{near / far}};
+}
+
+struct Errors {
+    double scanline = 0, tiles = 0, naive = 0;
+    double tiles_to_bound = 0;
+    int pixels = 0;
+
+    void add(const Errors& e) {
+        scanline = std::max(scanline, e.scanline);
+        tiles = std::max(tiles, e.tiles);
+        naive = std::max(naive, e.naive);
+        tiles_to_bound = std::max(tiles_to_bound, e.tiles_to_bound);
+        pixels += e.pixels;
+    }
+};
+
+// What float can do with planes from a tile's corner, 64 pixels away at most.
+double bound(const Shape& shape) {
+    return 4 * 0x1p-24 * (1 + tile_size / shape.height) * shape.depth_ratio;
+}
+
+Errors errors_of(const Mesh& mesh, const ScreenTriangle& t, const View& view) {
+    const Edges edges = edges_of(t.v);
+    const NaivePlanes naive(t, edges);
+    const Drawn scanline = draw(mesh, view, plug(show_uv), {.rasterizer = Rasterizer::scanline});
+    const Drawn tiles = draw(mesh, view, plug(show_uv), {});
+    Errors e;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (scanline.triangle(x, y) == no_triangle) {
+                continue;
+            }
+            const auto exact = barycentrics<double>(t, edges, x * subpixel_one + subpixel_one / 2,
+                                                    y * subpixel_one + subpixel_one / 2);
+            const auto error = [&](const glm::vec2& uv) {
+                return std::max(std::abs(double{uv.x} - exact.space[0]),
+                                std::abs(double{uv.y} - exact.space[1]));
+            };
+            e.scanline = std::max(e.scanline, error(glm::vec2(scanline.linear(x, y))));
+            e.tiles = std::max(e.tiles, error(glm::vec2(tiles.linear(x, y))));
+            e.naive = std::max(e.naive, error(naive.at(x, y)));
+            ++e.pixels;
+        }
+    }
+    e.tiles_to_bound = e.tiles / bound(shape_of(t, edges));
+    return e;
+}
+
+// By the triangle's least height: below 1, 10, 100, 1000 pixels, and above.
+constexpr int classes = 5;
+std::array<Errors, classes> measured() {
+    const View view{clip_from_world(camera, static_cast<float>(width) / height), width, height};
+    const Rays rays(camera, width, height);
+    std::array<Errors, classes> by_height{};
+    for (std::uint64_t seed = 1; seed <= 700; ++seed) {
+        Random random(seed);
+        const Mesh mesh = any_triangle(random, rays);
+        const auto triangles = assemble(mesh, view).triangles;
+        if (triangles.size() != 1 || triangles[0].clipped ||
+            edges_of(triangles[0].v).double_area == 0) {
+            continue;
+        }
+        const double least = shape_of(triangles[0], edges_of(triangles[0].v)).height;
+        const double step = std::clamp(std::floor(std::log10(least)) + 1, 0.0, classes - 1.0);
+        by_height[static_cast<std::size_t>(step)].add(errors_of(mesh, triangles[0], view));
+    }
+    return by_height;
+}
+
+TEST_CASE("attributes are accurate whatever the triangle's shape and place") {
+    double below = 1;  // pixels of height
+    for (const Errors& e : measured()) {
+        CAPTURE(below);
+        MESSAGE("height below ", below, " px, ", e.pixels, " px: scanline ", e.scanline, ", tiles ",
+                e.tiles, ", from the window's corner ", e.naive, ", ", e.tiles_to_bound);
+        CHECK(e.pixels > 300);
+        CHECK(e.scanline < 4e-7);  // exact edges at every pixel: a few roundings
+        CHECK(e.tiles_to_bound < 1);
+        CHECK((below > 100 || e.naive > 5 * e.tiles));
+        below *= 10;
+    }
+}
+
+}  // namespace
+}  // namespace glint

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <numeric>
 
 namespace glint {
@@ -18,6 +19,32 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Gives a vector of each buffer the room that one of them needed.
+template <class Vector>
+void level(std::span<TileBuffer> buffers, Vector vector) {
+    std::size_t most = 0;
+    for (TileBuffer& buffer : buffers) {
+        most = std::max(most, std::invoke(vector, buffer).capacity());
+    }
+    for (TileBuffer& buffer : buffers) {
+        std::invoke(vector, buffer).reserve(most);
+    }
+}
+
+// Next time another thread may draw the fullest tile.
+void level_capacities(std::span<TileBuffer> buffers) {
+    using B = TileBuffer;
+    const auto level_all = [buffers](auto... vector) { (level(buffers, vector), ...); };
+    level_all(&B::depth, &B::owner, &B::triangles, &B::fragment_pixel, &B::fragment_triangle,
+              &B::fragment_x, &B::fragment_y, &B::fragment_share, &B::plane_start, &B::planes,
+              &B::shader_end, &B::order, &B::sorted_ints, &B::sorted_floats, &B::varyings,
+              &B::radiance);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        level(
+            buffers, [channel](B & b) -> auto& { return b.colour[channel]; });
+    }
 }
 
 }  // namespace
@@ -45,6 +72,7 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
     pool_.run(frame.grid.tiles(), [&](std::size_t tile, int thread) {
         draw_tile(frame, tile, buffers_[static_cast<std::size_t>(thread)]);
     });
+    level_capacities(buffers_);
 
     Statistics s;
     s.frame_ms = 1e3 * seconds_since(start);

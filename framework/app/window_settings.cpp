@@ -1,9 +1,11 @@
 #include "framework/app/window_settings.hpp"
 
+#include "framework/app/window_words.hpp"
 #include "framework/raster/samples.hpp"
 #include "framework/math/dispatch.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace glint {
 namespace {
@@ -20,7 +22,8 @@ int next_lanes(int lanes) {
 bool move(Parameter& p, float steps) {
     const float step = p.whole ? steps : steps * (p.high - p.low) / parameter_steps;
     const float before = p.value;
-    p.value = std::clamp(before + step, p.low, p.high);
+    // Six digits: there and back again is the same number, else panels would not come back.
+    p.value = std::clamp(std::stof(formatted("%.6g", before + step)), p.low, p.high);
     return p.value != before;
 }
 

@@ -139,9 +139,13 @@ int Viewer::split_column() const {
 
 // ---- drawing -----------------------------------------------------------------------------------
 
+const SrgbImage& Viewer::picture() {
+    stale_ = stale_ || live_.stale();
+    return live_.drawing().srgb;
+}
+
 const SrgbImage& Viewer::frame() {
     if (stale()) {
-        live_.drawing();
         compose();
         stale_ = false;
     }

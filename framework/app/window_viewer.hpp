@@ -30,7 +30,7 @@ class Viewer {
     // What the window shows, drawn anew where something changed.
     const SrgbImage& frame();
     // The picture alone, without words and comparison.
-    const SrgbImage& picture() { return live_.drawing().srgb; }
+    const SrgbImage& picture();
     const Options& options() const { return live_.options(); }
 
   private:

@@ -40,16 +40,30 @@ Rgb<T> specular_by_angle(const Rgb<T>& F0, const T& n, const Incidence<T>& g) {
     // END
 }
 
-// Which of the two diffuse parts.
-struct CombinedByAngle {
-    Rgb<float> Cd, F0;
-    float n;
+// How much of Cd is left.
+enum class Remains { all, by_angle, by_f0 };
+
+struct Combined {
+    Rgb<float> Cd, F0;  // diffuse albedo (0 for metals) and reflectance at normal incidence
+    float n;            // Phong exponent
+    Remains remains;
+
     template <Real T>
     Rgb<T> operator()(const Incidence<T>& g) const {
+        const Rgb<T> cd(Cd);
         const Rgb<T> f0(F0);
-        return diffuse_by_angle(Rgb<T>(Cd), f0, g) + specular_by_angle(f0, T(n), g);
+        const Rgb<T> diffuse = remains == Remains::all        ? cd * inverse_pi<T>
+                               : remains == Remains::by_angle ? diffuse_by_angle(cd, f0, g)
+                                                              : diffuse_by_f0(cd, f0);
+        return diffuse + specular_by_angle(f0, T(n), g);
     }
-    Rgb<float> ambient_albedo() const { return Cd * (Rgb<float>(1.0F) - F0); }
+
+    // The diffuse part of light from everywhere. By angle: the mean of 1 - F over the hemisphere,
+    // weighed by cos, is (1 - F0) 20/21, for 2 integral (1 - c)^5 c dc = 1/21.
+    Rgb<float> ambient_albedo() const {
+        const float share = remains == Remains::by_angle ? 20.0F / 21.0F : 1.0F;
+        return remains == Remains::all ? Cd : Cd * (Rgb<float>(1.0F) - F0) * share;
+    }
 };
 
 }  // namespace glint

@@ -51,7 +51,7 @@ struct Options {
     Settings settings;
     ViewMode view = ViewMode::shaded;
     std::vector<std::string> outs;
-    int frames = 0;  // 0: one picture, or a window until it is closed
+    int frames = 0;     // 0: one picture, or a window until it is closed
     std::string stats;  // file, "-" for standard output, empty for none
     std::optional<std::pair<int, int>> probe;
     std::string compare;

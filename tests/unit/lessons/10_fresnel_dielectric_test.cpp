@@ -181,14 +181,16 @@ TEST_CASE_TEMPLATE("a polished surface shows the studio in the mirror", T, float
     const glm::vec3 eye(0, 1, 5);
     Lighting key;
     key.directional = {{glm::vec3(0, 0, 1), Rgb<float>(float(pi))}};
-    const Polished<Half> surface{{{Rgb<float>(0.25F)}, key, eye}, {}, {.room = 2, .pool = 2, .lamps = 2}};
+    const Polished<Half> surface{
+        {{Rgb<float>(0.25F)}, key, eye}, {}, {.room = 2, .pool = 2, .lamps = 2}};
     const glm::vec3 V = normalize(eye);
     for (const glm::vec3& L : {glm::vec3(0.6F, 0, 0.8F), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
         const glm::vec3 N = normalize(V + L);
         const Rgb<T> seen = surface(Fragment<T>{Vec3<T>(T(0.0F)), Vec3<T>(N)});
         CHECK(value(seen.g) == doctest::Approx(double{0.25F * N.z + Studio{}(L).g}));
     }
-    const Polished<Half> wall{{{Rgb<float>(0.25F)}, key, eye}, {}, {.room = 2, .pool = 2, .lamps = 2}, true};
+    const Polished<Half> wall{
+        {{Rgb<float>(0.25F)}, key, eye}, {}, {.room = 2, .pool = 2, .lamps = 2}, true};
     CHECK(value(wall(Fragment<T>{Vec3<T>(T(0.0F)), Vec3<T>(glm::vec3(1, 0, 0))}).g) ==
           doctest::Approx(double{2 * Studio{}(-V).g}));
 }

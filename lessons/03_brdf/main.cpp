@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "03_brdf",
          .title = "Lesson 3: reflected radiance per irradiance",
-         .parameters = {{"units", 1, 0, 1, "0: lesson 1's form, 1: BRDF times E (N.L)"},
+         .parameters = {{"units", 1, 0, 1, "0: lesson 1's form, 1: BRDF times E (N.L)", true},
                         {"n", 4, 0, 1000, "Phong exponent"}},
          .panels = {{{"units", 0}}, {{"units", 1}}},
          .stage = against_the_light,

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "08_normalised_lambert",
          .title = "Lesson 8: Lambert's BRDF with 1/pi, beside the one without",
-         .parameters = {{"normalised", 1, 0, 1, "0: Cd, 1: Cd/pi"}},
+         .parameters = {{"normalised", 1, 0, 1, "0: Cd, 1: Cd/pi", true}},
          .panels = {{{"normalised", 0}}, {{"normalised", 1}}},
          .stage = matt_still_life,
          .shaders = shade_each_material([](const Scene& s, const Material& m, const Parameters& p) {

@@ -21,15 +21,6 @@ namespace {
 
 using oracle::Random;
 
-// How far two readings of a colour may be apart: the error of (V.R)^n grows with n.
-double tolerance(const Scene& scene) {
-    float exponent = 100;
-    for (const Material& m : scene.materials) {
-        exponent = std::max(exponent, m.exponent);
-    }
-    return 1e-5 * double{exponent} / 100;
-}
-
 // The largest difference between components, relative where they are above 1.
 double colour_difference(const LinearImage& a, const LinearImage& b) {
     double worst = 0;
@@ -125,7 +116,7 @@ TEST_CASE("every lesson: scanline and tiles, all lanes, threads, samples and way
         const Scene scene = lesson.stage();
         const ShaderSet set = lesson.shaders(scene, lesson.parameters);
         const Task task{scene.mesh, view_of(scene, 130, 70), set.shaders, scene.background,
-                        tolerance(scene)};
+                        lesson.tolerance};
         for (const int samples : {1, 2, 4, 8, 16}) {
             for (const bool sample_shading : {false, true}) {
                 for (const Cull cull : {Cull::none, Cull::back}) {
@@ -222,7 +213,7 @@ TEST_CASE("random scenes in pictures of awkward sizes") {
                                                         {61, 7},
                                                         {65, 66},
                                                         {4, 4}}};
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const auto [width, height] = sizes[seed % sizes.size()];

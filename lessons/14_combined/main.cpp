@@ -44,8 +44,8 @@ int main(int argc, char** argv) {
         argc, argv,
         {.name = "14_combined",
          .title = "Lesson 14: what is left for the diffuse part, by energy and by reciprocity",
-         .parameters = {{"remains", 2, 0, 2, "0: Cd, 1: Cd (1 - F(theta)), 2: Cd (1 - F0)"},
-                        {"shaded", 0, 0, 1, "0: the instruments, 1: what the eye sees"}},
+         .parameters = {{"remains", 2, 0, 2, "0: Cd, 1: Cd (1 - F(theta)), 2: Cd (1 - F0)", true},
+                        {"shaded", 0, 0, 1, "0: the instruments, 1: what the eye sees", true}},
          .panels = {{{"remains", 0}}, {{"remains", 1}}, {{"remains", 2}}},
          .stage = two_instruments,
          .shaders = shaders});

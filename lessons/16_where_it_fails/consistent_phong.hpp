@@ -16,7 +16,8 @@ Rgb<T> coupled_diffuse(const Rgb<T>& Cd, const Rgb<T>& F0, const Incidence<T>& g
     // SOLUTION 16.1
     const T enters = T(1.0F) - schlick_weight(g.NL);
     const T leaves = T(1.0F) - schlick_weight(g.NV);
-    return Cd * (Rgb<T>(T(1.0F)) - F0) * (T(1.05F) * inverse_pi<T> * enters * leaves);
+    const T both = enters * leaves;  // first, so that swapping them changes no bit
+    return Cd * (Rgb<T>(T(1.0F)) - F0) * (T(21.0 / 20.0) * inverse_pi<T> * both);
     // HANDOUT
     // return diffuse_by_f0(Cd, F0);  // TODO 16.1: couple light's and viewer's angle
     // END

@@ -19,65 +19,58 @@ namespace {
     throw Error("--window: " + what + " (" + SDL_GetError() + ")");
 }
 
-struct Session {
-    Session() {
-        // What shows windows; SDL would go on to drivers that draw where nobody sees it. Who sets
-        // SDL_VIDEODRIVER is not overruled.
-        SDL_SetHint(SDL_HINT_VIDEODRIVER,
-                    std::getenv("WAYLAND_DISPLAY") != nullptr ? "x11,wayland" : "x11");
-        SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-        // Pixels go straight to the window: no OpenGL is set up to copy them.
-        SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-        if (SDL_Init(SDL_INIT_VIDEO) != 0) {
-            fail("there is no display to open a window on");
-        }
-        SDL_StopTextInput();  // keys are keys, not letters on their way to an input method
+void start_sdl() {
+    // What shows windows; SDL would go on to drivers that draw where nobody sees it. Who sets
+    // SDL_VIDEODRIVER is not overruled.
+    SDL_SetHint(SDL_HINT_VIDEODRIVER,
+                std::getenv("WAYLAND_DISPLAY") != nullptr ? "x11,wayland" : "x11");
+    SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+    // Pixels go straight to the window: no OpenGL is set up to copy them.
+    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+    if (SDL_Init(SDL_INIT_VIDEO) != 0) {
+        fail("there is no display to open a window on");
     }
-    ~Session() { SDL_Quit(); }
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-};
+    SDL_StopTextInput();  // keys are keys, not letters on their way to an input method
+}
 
-struct Freed {
-    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
-    void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
-    void operator()(SDL_Cursor* cursor) const { SDL_FreeCursor(cursor); }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Freed>;
-
+// Lives as long as the program, whose end closes it. Not before: SDL 2 wakes itself by messages to
+// its window on a second connection, and one that arrives after the window is gone ends the program
+// with BadWindow.
 class Window {
   public:
     Window(const std::string& title, int width, int height)
         : window_(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
-                                   width, height, SDL_WINDOW_RESIZABLE)) {
-        if (!window_) {
+                                   width, height, SDL_WINDOW_RESIZABLE)),
+          arrow_(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_ARROW)),
+          sideways_(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_SIZEWE)) {
+        if (window_ == nullptr) {
             fail("the display opens no window");
         }
-        arrow_.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_ARROW));
-        sideways_.reset(SDL_CreateSystemCursor(SDL_SYSTEM_CURSOR_SIZEWE));
     }
 
     void show(const SrgbImage& picture) {
         // SDL only reads these pixels, but its type for them is not const.
         auto* pixels = const_cast<Rgba8*>(picture.pixels().data());
         const int pitch = picture.width() * static_cast<int>(sizeof(Rgba8));
-        const Owned<SDL_Surface> from(SDL_CreateRGBSurfaceWithFormatFrom(
-            pixels, picture.width(), picture.height(), 32, pitch, SDL_PIXELFORMAT_RGBA32));
-        SDL_Surface* to = SDL_GetWindowSurface(window_.get());
+        const std::unique_ptr<SDL_Surface, decltype(&SDL_FreeSurface)> from(
+            SDL_CreateRGBSurfaceWithFormatFrom(pixels, picture.width(), picture.height(), 32, pitch,
+                                               SDL_PIXELFORMAT_RGBA32),
+            SDL_FreeSurface);
+        SDL_Surface* to = SDL_GetWindowSurface(window_);
         if (!from || to == nullptr) {
             fail("the window takes no picture");
         }
         SDL_SetSurfaceBlendMode(from.get(), SDL_BLENDMODE_NONE);
         SDL_BlitSurface(from.get(), nullptr, to, nullptr);
-        SDL_UpdateWindowSurface(window_.get());
+        SDL_UpdateWindowSurface(window_);
     }
 
-    void point_sideways(bool sideways) { SDL_SetCursor(sideways ? sideways_.get() : arrow_.get()); }
+    void point_sideways(bool sideways) { SDL_SetCursor(sideways ? sideways_ : arrow_); }
 
   private:
-    Owned<SDL_Window> window_;
-    Owned<SDL_Cursor> arrow_, sideways_;
+    SDL_Window* window_;
+    SDL_Cursor* arrow_;
+    SDL_Cursor* sideways_;
 };
 
 // The key by its letter on the user's keyboard, else by its place on a US keyboard.
@@ -171,7 +164,7 @@ class Messenger {
 
 int run_window(const Lesson& lesson, const Options& options) {
     Viewer viewer(lesson, options);
-    const Session session;
+    start_sdl();
     Window window(lesson.title, options.width, options.height);
     Messenger messenger(viewer, window);
     SDL_Event event;

@@ -49,7 +49,7 @@ install() {
     fi
   done
   ((${#packages[@]})) || return 0
-  can_install || fail "there is no ${names[*]}; install them first, on Debian as root with:
+  can_install || fail "these are missing: ${names[*]}; on Debian, install them as root with:
   apt-get install --no-install-recommends ${packages[*]}"
   say "Installing ${packages[*]}; this may take minutes"
   install_packages "${packages[@]}"

@@ -55,7 +55,7 @@ T exp2(T x) {
         const auto small = limited < T(-125.0F);
         const I k = bits_of(select(small, shifted + T(24.0F), shifted)) << 23;
         const T power = float_from_bits(bits_of(p) + k) * select(small, T(0x1p-24F), T(1.0F));
-        return select(x == x, power, x);
+        return select(x <= T(std::numeric_limits<float>::infinity()), power, x);  // x is NaN
     }
 }
 

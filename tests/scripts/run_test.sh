@@ -95,7 +95,7 @@ bare_machine() {
 
 test_unknown_system() {
   call env PATH="$scratch/bin" "$top/lessons/run" 1
-  expect 2 "" "error: there is no c++ cmake ninja*apt-get install*g++ cmake ninja-build"
+  expect 2 "" "error: these are missing: c++ cmake ninja;*apt-get install*g++ cmake ninja-build"
 }
 
 test_installs_once() {

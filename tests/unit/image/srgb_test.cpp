@@ -30,7 +30,8 @@ TEST_CASE("the curve is that of IEC 61966-2-1") {
     CHECK(srgb_encode(0.002) == doctest::Approx(0.02584).epsilon(1e-15));
     CHECK(srgb_encode(0.5) == doctest::Approx(0.7353569830524495).epsilon(1e-14));
     CHECK(srgb_encode(-0.1) == doctest::Approx(-1.292).epsilon(1e-15));
-    for (double encoded = -0.5; encoded <= 8.0; encoded += 1.0 / 512.0) {
+    for (int i = -256; i <= 4096; ++i) {
+        const double encoded = i / 512.0;
         const double base = (encoded + 0.055) / 1.055;
         const double linear = encoded <= 0.04045 ? encoded / 12.92 : std::pow(base, 2.4);
         CHECK(srgb_decode(encoded) == doctest::Approx(linear).epsilon(1e-14));

@@ -162,7 +162,7 @@ TEST_CASE("normalize_or of doubles reaches further") {
 }
 
 TEST_CASE("a vector of lanes is nothing but its lanes") {
-    CHECK(sizeof(Vec3<Float16>) == 3 * lanes_of<Float16> * sizeof(float));
+    CHECK(sizeof(Vec3<Float16>) == sizeof(float) * 3 * lanes_of<Float16>);
     CHECK(std::is_trivially_copyable_v<Vec3<Float16>>);
 }
 

@@ -22,8 +22,8 @@ const char* const about =
     "  T id\n"
     "  y x_begin x_end [index of the triangle, for a mesh]";
 
-void run(const Settings& settings) {
-    CoverageInput state;
+void run(const Settings& settings, int bits) {
+    CoverageInput state{.bits = bits, .line = 0, .begun = {}, .text = {}};
     while (const auto c = read_case(std::cin, state)) {
         std::vector<CoverageRun> runs;
         find_coverage(c->triangles, c->width, c->height, settings,
@@ -41,15 +41,19 @@ int main(int argc, char** argv) {
     app.footer("Example:\n  echo 'T t 8 8 0.5 0.5 6 1 2 7' | coverage --raster scanline");
     std::string raster = "tiles";
     std::string lanes = "auto";
+    int bits = subpixel_bits;
     app.add_option("--raster", raster, "rasterizer (tiles)")->type_name("tiles|scanline");
     app.add_option("--lanes", lanes, "SIMD lanes of tiles (auto)")->type_name("auto|1|4|8|16");
+    app.add_option("--subpixel-bits", bits, "snap positions to 1/2^N pixel (8)")
+        ->type_name("N")
+        ->check(CLI::Range(0, subpixel_bits));
     try {
         app.parse(argc, argv);
         Settings settings;
         settings.rasterizer = choice<Rasterizer>(
             "--raster", raster, {{"tiles", Rasterizer::tiles}, {"scanline", Rasterizer::scanline}});
         settings.lanes = lane_count(lanes);
-        run(settings);
+        run(settings, bits);
         return 0;
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();

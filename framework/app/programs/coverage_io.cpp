@@ -86,7 +86,8 @@ int to_subpixels(const CoverageInput& state, const char* name, std::string_view 
         fail(state, std::string(name) + " is " + quoted(word) + ", not a number from -" +
                         std::to_string(guard_band) + " to " + std::to_string(guard_band));
     }
-    return static_cast<int>(std::nearbyint(pixels * subpixel_one));
+    const int step = subpixel_one >> state.bits;
+    return static_cast<int>(std::nearbyint(pixels * (subpixel_one / step))) * step;
 }
 
 // A line as a case of one triangle.

@@ -11,6 +11,7 @@
 //     y x_begin x_end index      for a mesh; index counts its triangles from 0
 #pragma once
 
+#include "framework/math/fixed.hpp"
 #include "framework/math/vec.hpp"
 
 #include <array>
@@ -27,7 +28,7 @@ struct CoverageCase {
     int width = 0;   // 1..16384 pixels
     int height = 0;  // 1..16384 pixels
 
-    // In 1/256 pixel, rounded to nearest, ties to even; within +-16384 pixels. A triangle may wind
+    // In 1/256 pixel, snapped to nearest, ties to even; within +-16384 pixels. A triangle may wind
     // either way and may have no area.
     std::vector<std::array<glm::ivec2, 3>> triangles;
 };
@@ -36,8 +37,9 @@ struct CoverageRun {  // pixels x_begin <= x < x_end of row y
     int triangle, y, x_begin, x_end;
 };
 
-// How far a stream is read.
+// How a stream is read, and how far it is.
 struct CoverageInput {
+    int bits = subpixel_bits;  // 0..8: positions are snapped to 1/2^bits pixel
     int line = 0;
     std::optional<CoverageCase> begun;
     std::string text;

@@ -51,6 +51,19 @@ TEST_CASE("positions are rounded to nearest, ties to even, from all digits") {
     CHECK(first_vertex("16383.994140625", "16383.994140625931") == glm::ivec2(4194302, 4194303));
 }
 
+TEST_CASE("fewer bits snap to a coarser grid, ties to even") {
+    const auto snapped = [](int bits, const char* words) {
+        std::istringstream in(std::string("T a 8 8 ") + words);
+        CoverageInput state{.bits = bits, .line = 0, .begun = {}, .text = {}};
+        const auto t = read_case(in, state)->triangles[0];
+        return std::array{t[0].x, t[0].y, t[1].x, t[1].y, t[2].x, t[2].y};
+    };
+    using Six = std::array<int, 6>;
+    CHECK(snapped(0, "0.5 1.5 -2.5 0.51 3 -16384") == Six{0, 512, -512, 256, 768, -4194304});
+    CHECK(snapped(4, "0.03125 0.09375 -0.04 0.5 3 16384") == Six{0, 32, -16, 128, 768, 4194304});
+    CHECK(snapped(8, "0.001953125 0.01 -0.01 0.5 3 7") == Six{0, 3, -3, 128, 768, 1792});
+}
+
 TEST_CASE("numbers may have signs and exponents") {
     CHECK(first_vertex("1e2", "+2.5E-1") == glm::ivec2(25600, 64));
     CHECK(first_vertex("-.5", "5.") == glm::ivec2(-128, 1280));

@@ -82,7 +82,16 @@ SrgbImage read_picture(const std::filesystem::path& path) {
     return path.extension() == ".pfm" ? to_srgb(read_pfm(path)) : read_png(path);
 }
 
-std::string as_json(const Options& options, const Metrics& metrics) {
+// The pixel that differs most, in both pictures.
+struct Worst {
+    Rgba8 reference, test;
+};
+
+std::string words(const Rgba8& p) {
+    return std::to_string(p.r) + " " + std::to_string(p.g) + " " + std::to_string(p.b);
+}
+
+std::string as_json(const Options& options, const Metrics& metrics, const Worst& worst) {
     nlohmann::ordered_json json;
     for (const Field& field : options.fields) {
         const double value = metrics.*field.value;
@@ -90,23 +99,26 @@ std::string as_json(const Options& options, const Metrics& metrics) {
     }
     json["worst_x"] = metrics.worst_x;
     json["worst_y"] = metrics.worst_y;
+    json["worst_reference"] = {worst.reference.r, worst.reference.g, worst.reference.b};
+    json["worst_test"] = {worst.test.r, worst.test.g, worst.test.b};
     return json.dump(2) + "\n";
 }
 
-void print_table(const Options& options, const Metrics& metrics) {
+void print_table(const Options& options, const Metrics& metrics, const Worst& worst) {
     for (const Field& field : options.fields) {
         std::printf("%-10s %12.6g   %s\n", field.name, metrics.*field.value, field.meaning);
     }
-    std::printf("%-10s %12s   x y of the first pixel with the largest difference\n", "worst",
-                (std::to_string(metrics.worst_x) + " " + std::to_string(metrics.worst_y)).c_str());
+    const auto place = std::to_string(metrics.worst_x) + " " + std::to_string(metrics.worst_y);
+    std::printf("%-10s %12s   x y of the first pixel with the largest difference: %s, was %s\n",
+                "worst", place.c_str(), words(worst.test).c_str(), words(worst.reference).c_str());
 }
 
-void write_numbers(const Options& options, const Metrics& metrics) {
-    const std::string json = as_json(options, metrics);
+void write_numbers(const Options& options, const Metrics& metrics, const Worst& worst) {
+    const std::string json = as_json(options, metrics, worst);
     if (options.json == "-") {
         std::fputs(json.c_str(), stdout);
     } else {
-        print_table(options, metrics);
+        print_table(options, metrics, worst);
     }
     if (std::fflush(stdout) != 0) {
         throw Error("cannot write to standard output");
@@ -148,7 +160,9 @@ int compare(const Options& options) {
     const SrgbImage test = read_picture(options.test);
     const Metrics metrics = measure_difference(reference, test);
     write_pictures(options, reference, test);
-    write_numbers(options, metrics);
+    write_numbers(
+        options, metrics,
+        {reference(metrics.worst_x, metrics.worst_y), test(metrics.worst_x, metrics.worst_y)});
     return judge(options, metrics);
 }
 

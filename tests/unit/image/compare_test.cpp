@@ -49,7 +49,7 @@ TEST_CASE("standard output is the JSON and nothing else") {
     CHECK(result.status == 0);
     CHECK(result.err.empty());
     const json numbers = json::parse(result.out);
-    CHECK(numbers.size() == 9);
+    CHECK(numbers.size() == 11);
     CHECK(numbers["max"] == 34);
     CHECK(numbers["rmse"].get<double>() == doctest::Approx(7.540162));
     CHECK(numbers["psnr"].get<double>() == doctest::Approx(30.5832));
@@ -59,6 +59,8 @@ TEST_CASE("standard output is the JSON and nothing else") {
     CHECK(numbers["over_one"].get<double>() == doctest::Approx(0.995226));
     CHECK(numbers["worst_x"] == 92);
     CHECK(numbers["worst_y"] == 57);
+    CHECK(numbers["worst_reference"] == json::array({255, 159, 160}));
+    CHECK(numbers["worst_test"] == json::array({255, 156, 126}));
 }
 
 TEST_CASE("the infinite psnr of equal pictures is null") {
@@ -74,7 +76,8 @@ TEST_CASE("JSON in a file leaves the table on standard output") {
     CHECK(result.status == 0);
     CHECK(json::parse(text_of(folder / "a.json"))["max"] == 34);
     CHECK(result.out.find("flip_mean") != std::string::npos);
-    CHECK(result.out.find("92 57") != std::string::npos);
+    CHECK(result.out.find(" 92 57 ") != std::string::npos);
+    CHECK(result.out.find(": 255 156 126, was 255 159 160\n") != std::string::npos);
 }
 
 Run run_with_limit(const TemporaryFolder& folder, const char* option, const char* limit) {

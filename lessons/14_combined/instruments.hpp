@@ -58,7 +58,7 @@ struct Instruments {
     glm::vec3 to_light, eye;
 
     template <class T>
-    using Varyings = Lit<Brdf>::template Varyings<T>;
+    using Varyings = typename Lit<Brdf>::template Varyings<T>;
     static Varyings<float> vertex(const Vertex& v) { return {v.position, v.normal}; }
 
     template <Real T, class Noting = Silent>

@@ -47,7 +47,7 @@ test_help() {
 
 test_list() {
   run list
-  expect 0 "01_ad_hoc_phong *" ""
+  expect 0 "00_hello_shader *" ""
   local mains=("$top"/lessons/[0-9][0-9]_*/main.cpp)
   expect_lines ${#mains[@]} '^[0-9]{2}_[a-z0-9_]+ +Lesson [0-9]+: .'
 }

@@ -1,0 +1,58 @@
+// A number that counts what is done to it: the shading of one fragment, run with it, tells how many
+// floating-point operations it takes. Sum, product, quotient, root, minimum, maximum and select
+// count one each, a fused multiply-add two; comparisons and integers are not counted.
+#pragma once
+
+#include "framework/math/vec.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace glint {
+
+struct Counted {
+    float value;
+    inline static std::int64_t operations = 0;
+
+    Counted() = default;
+    Counted(float v) : value(v) {}
+    explicit Counted(double v) : value(static_cast<float>(v)) {}
+    explicit Counted(int v) : value(static_cast<float>(v)) {}
+
+    static Counted counted(float result, int count = 1) {
+        operations += count;
+        return result;
+    }
+    friend Counted operator+(Counted a, Counted b) { return counted(a.value + b.value); }
+    friend Counted operator-(Counted a, Counted b) { return counted(a.value - b.value); }
+    friend Counted operator*(Counted a, Counted b) { return counted(a.value * b.value); }
+    friend Counted operator/(Counted a, Counted b) { return counted(a.value / b.value); }
+    friend Counted operator-(Counted a) { return -a.value; }
+    friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
+    friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
+    friend bool operator<=(Counted a, Counted b) { return a.value <= b.value; }
+    friend bool operator>=(Counted a, Counted b) { return a.value >= b.value; }
+    friend bool operator==(Counted a, Counted b) { return a.value == b.value; }
+    Counted& operator+=(Counted b) { return *this = *this + b; }
+    Counted& operator-=(Counted b) { return *this = *this - b; }
+    Counted& operator*=(Counted b) { return *this = *this * b; }
+    Counted& operator/=(Counted b) { return *this = *this / b; }
+
+    friend Counted min(Counted a, Counted b) { return counted(glint::min(a.value, b.value)); }
+    friend Counted max(Counted a, Counted b) { return counted(glint::max(a.value, b.value)); }
+    friend Counted sqrt(Counted a) { return counted(std::sqrt(a.value)); }
+    friend Counted select(bool m, Counted a, Counted b) { return counted(m ? a.value : b.value); }
+    friend Counted fma(Counted a, Counted b, Counted c) {
+        return counted(glint::fma(a.value, b.value, c.value), 2);
+    }
+    friend std::int32_t bits_of(Counted a) { return glint::bits_of(a.value); }
+    friend std::int32_t truncate_to_int(Counted a) { return glint::truncate_to_int(a.value); }
+};
+
+template <>
+inline constexpr bool is_lanes<Counted> = true;
+
+}  // namespace glint
+
+template <>
+struct std::numeric_limits<glint::Counted> : std::numeric_limits<float> {};

@@ -2,19 +2,19 @@
 //
 //     L_o(V) = integral over the hemisphere of BRDF(L, V) L_i(L) (N.L) d omega
 //
-// A directional light is a delta in L_i, so its part of the integral is BRDF * E * (N.L): the sum
-// over lights. What comes from all directions alike, L_i = La, leaves the integral as a factor:
-//     L_o = La * albedo,   for Lambert's BRDF the diffuse albedo: the "ambient term", derived.
+// As a sum: a piece d omega of the sky is a lamp of irradiance E = L_i d omega. And what comes from
+// all directions alike, La, leaves the integral: L_o = La albedo, the "ambient term" derived.
 #pragma once
 
 #include "lessons/03_brdf/brdf.hpp"
+
+#include <numbers>
 
 namespace glint {
 
 // A BRDF is a functor: Rgb<T> operator()(const Incidence<T>&) const, in 1/sr, for N.L > 0, and
 // Rgb<float> ambient_albedo() const, the share of constant light from everywhere that it reflects.
-//
-// Lit is the fragment shader that all later lessons use; they supply only the BRDF.
+// Lit is the fragment shader of all later lessons.
 template <class Brdf>
 struct Lit {
     Brdf brdf;
@@ -23,13 +23,11 @@ struct Lit {
 
     template <class T>
     struct Varyings {
-        Vec3<T> position;
-        Vec3<T> normal;
+        Vec3<T> position, normal;
     };
     static Varyings<float> vertex(const Vertex& v) { return {v.position, v.normal}; }
 
-    // An interpolated normal of length zero reflects ambient light only; one that looks away from
-    // the viewer, as at silhouettes, is taken as it is.
+    // A normal of length zero reflects ambient light only; one that looks away is taken as it is.
     template <Real T, class Noting = Silent>
     Rgb<T> operator()(const Varyings<T>& in, const Noting& note = {}) const {
         const Vec3<T> N = normalize_or(in.normal, Vec3<T>(T(0.0F)));
@@ -49,6 +47,32 @@ struct Lit {
             // END
         });
         return radiance;
+    }
+};
+
+// The part of the sky about L that fills d_omega steradians, as a lamp.
+template <class Sky>
+DirectionalLight lamp_of(const Sky& sky, const glm::vec3& L, float d_omega) {
+    // SOLUTION 04.2
+    return {L, sky(L) * d_omega};
+    // HANDOUT
+    // return {L, d_omega > 0 ? sky(L) : Rgb<float>(0.0F)};  // TODO 04.2: radiance or irradiance?
+    // END
+}
+
+// Lesson 3's Lambert, whose integral is pi Cd.
+struct UnnormalisedLambert {
+    Rgb<float> Cd;
+    template <Real T>
+    Rgb<T> operator()(const Incidence<T>&) const {
+        return Rgb<T>(lambert_unnormalised(Cd));
+    }
+    Rgb<float> ambient_albedo() const {
+        // SOLUTION 04.3
+        return Cd * std::numbers::pi_v<float>;
+        // HANDOUT
+        // return Cd;  // TODO 04.3: lesson 1's guess
+        // END
     }
 };
 

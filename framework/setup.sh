@@ -9,7 +9,8 @@ build_needs=(g++:c++ cmake:cmake ninja-build:ninja libglm-dev:glm/glm.hpp
   libxsimd-dev:xsimd/xsimd.hpp libstb-dev:stb/stb_image_write.h libcli11-dev:CLI/CLI.hpp
   libtinyobjloader-dev:tiny_obj_loader.h nlohmann-json3-dev:nlohmann/json.hpp)
 window_needs=(libsdl2-dev:SDL2/SDL.h)
-test_needs=(doctest-dev:doctest/doctest.h)
+test_needs=(doctest-dev:doctest/doctest.h libseccomp-dev:seccomp.h
+  libssl-dev:openssl/hmac.h)
 window_test_needs=("${window_needs[@]}" xvfb:Xvfb xdotool:xdotool imagemagick:import)
 
 say() { printf '%s\n' "$*" >&2; }

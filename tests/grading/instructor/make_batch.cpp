@@ -1,0 +1,233 @@
+#include "tests/grading/instructor/make_batch.hpp"
+
+#include "framework/measure/quadrature.hpp"
+#include "framework/math/error.hpp"
+#include "tests/grading/instructor/domains.hpp"
+#include "tests/grading/judge.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace glint::grading {
+namespace {
+
+using nlohmann::json;
+using Numbers = std::vector<double>;
+
+class Maker {
+  public:
+    Maker(const Wanted& wanted, const std::string& number)
+        : w_(wanted),
+          single_(number == "float"),
+          task_(task_number(wanted.task.at("id"))),
+          random_(wanted.seed) {
+        batch_.number = number;
+        batch_.answers_a_row = wanted.task.at("answers");
+    }
+
+    Batch make() {
+        ask();
+        const Numbers truth = answers_of(w_.variants.front().as_double, batch_.questions);
+        const Numbers tolerance = tolerances(truth);
+        check(truth, tolerance);
+        find_mistakes(truth, tolerance);
+        batch_.floor = floor(truth);
+        return std::move(batch_);
+    }
+
+  private:
+    static int task_number(const std::string& id) { return id.at(3) - '0'; }
+
+    // ---- questions; what floats cannot hold is asked of neither type
+    void add_row(const Numbers& row) {
+        batch_.columns = row.size();
+        for (const double x : row) {
+            batch_.questions.push_back(static_cast<double>(static_cast<float>(x)));
+        }
+    }
+    Numbers drawn_row() {
+        Numbers row;
+        for (const json& domain : w_.task.at("asks")) {
+            draw(domain, random_, row);
+        }
+        return row;
+    }
+    void ask() {
+        const std::string kind = w_.asked.at("kind");
+        if (kind == "rows") {
+            for (const json& row : w_.asked.at("rows")) {
+                add_row(row.get<Numbers>());
+            }
+        } else if (kind == "values" || kind == "reciprocity") {
+            for (int i = 0; i < w_.asked.at("count"); ++i) {
+                Numbers row = drawn_row();
+                add_row(row);
+                if (kind == "reciprocity") {
+                    std::swap(row.at(w_.asked.at("swap")[0]), row.at(w_.asked.at("swap")[1]));
+                    add_row(row);
+                }
+            }
+        } else if (kind == "albedo") {
+            for (const double cosine : w_.asked.at("cosines")) {
+                ask_hemisphere(cosine);
+            }
+        } else {
+            throw Error("there is no kind of case " + kind);
+        }
+    }
+    // The integral over the hemisphere of BRDF cos(theta) d omega: by Gauss over cos(theta), by
+    // equal steps over the azimuth, of which the other half is the same.
+    void ask_hemisphere(double NL) {
+        constexpr int azimuths = 8;
+        static const Quadrature rule = gauss_legendre(16);
+        for (std::size_t i = 0; i < rule.node.size(); ++i) {
+            const double NV = 0.5 * (rule.node[i] + 1);
+            for (int j = 0; j < azimuths; ++j) {
+                const double azimuth = std::numbers::pi * (j + 0.5) / azimuths;
+                const double side = std::sqrt((1 - NL * NL) * (1 - NV * NV));
+                add_row(filled({NL, NV, NL * NV + side * std::cos(azimuth)}));
+                weights_.push_back(std::numbers::pi / azimuths * rule.weight[i] * NV);
+            }
+        }
+    }
+    // The manifest's row, in which nulls stand for the incidence.
+    Numbers filled(const Numbers& incidence) const {
+        Numbers row;
+        std::size_t next = 0;
+        for (const json& x : w_.asked.at("row")) {
+            row.push_back(x.is_null() ? incidence.at(next++) : x.get<double>());
+        }
+        return row;
+    }
+
+    // ---- answers
+    Numbers answers_of(Answer answer, const Numbers& questions) const {
+        const std::size_t rows = questions.size() / batch_.columns;
+        Numbers all(rows * batch_.answers_a_row);
+        for (std::size_t i = 0; i < rows; ++i) {
+            answer(task_, &questions[i * batch_.columns], &all[i * batch_.answers_a_row]);
+        }
+        return all;
+    }
+    // How far rounding may take an honest answer: a few units of the answer, and as many as the
+    // answer changes by when a question does by a unit; constants may be floats among doubles. At
+    // a jump of the truth no more than a thousandth.
+    Numbers tolerances(const Numbers& truth) const {
+        const double unit = (single_ ? 100 : 1) * 0x1p-23;
+        const Answer answer = w_.variants.front().as_double;
+        double scale = 0;
+        for (const double x : truth) {
+            scale = std::max(scale, std::abs(x));
+        }
+        Numbers change(truth.size(), 0.0);
+        for (std::size_t column = 0; column < batch_.columns; ++column) {
+            constexpr double step = 1e-6;
+            Numbers moved = batch_.questions;
+            for (std::size_t i = column; i < moved.size(); i += batch_.columns) {
+                moved[i] += step * std::max(std::abs(moved[i]), 1e-3);
+            }
+            const Numbers there = answers_of(answer, moved);
+            for (std::size_t i = 0; i < truth.size(); ++i) {
+                const double slope = std::abs(there[i] - truth[i]) / step;
+                change[i] += std::isfinite(slope) ? slope : 0;
+            }
+        }
+        Numbers tolerance(truth.size());
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            const double size = std::abs(truth[i]) + 0.01 * scale;
+            tolerance[i] = std::min(2 * unit * size + 0.2 * unit * change[i], 1e-3 * scale);
+        }
+        return tolerance;
+    }
+
+    // ---- checks
+    void check(const Numbers& truth, const Numbers& tolerance) {
+        const std::string kind = w_.asked.at("kind");
+        const std::size_t width = batch_.answers_a_row;
+        if (kind == "reciprocity") {
+            for (std::size_t i = 0; i < truth.size(); i += 2 * width) {
+                for (std::size_t j = i; j < i + width; ++j) {
+                    const double off = tolerance[j] + tolerance[j + width];
+                    batch_.checks.push_back({{{j, 1.0}, {j + width, -1.0}}, -off, off});
+                }
+            }
+        } else if (kind == "albedo") {
+            const std::size_t rows = weights_.size() / w_.asked.at("cosines").size();
+            for (std::size_t first = 0; first < weights_.size(); first += rows) {
+                for (std::size_t i = 0; i < width; ++i) {
+                    check_sum(truth, tolerance, first, first + rows, i);
+                }
+            }
+        } else {
+            for (std::size_t i = 0; i < truth.size(); ++i) {
+                batch_.checks.push_back(
+                    {{{i, 1.0}}, truth[i] - tolerance[i], truth[i] + tolerance[i]});
+            }
+        }
+    }
+    void check_sum(const Numbers& truth, const Numbers& tolerance, std::size_t first,
+                   std::size_t end, std::size_t component) {
+        Check c{{}, 0, 0};
+        double sum = 0;
+        double off = 0;
+        for (std::size_t row = first; row < end; ++row) {
+            const std::size_t i = row * batch_.answers_a_row + component;
+            c.terms.push_back({i, weights_[row]});
+            sum += weights_[row] * truth[i];
+            off += weights_[row] * tolerance[i];
+        }
+        c.low = sum - off;
+        c.high = sum + off;
+        batch_.checks.push_back(c);
+    }
+
+    // ---- what is known beforehand
+    void find_mistakes(const Numbers& truth, const Numbers& tolerance) {
+        for (const Variant& v : w_.variants.subspan(1)) {
+            const Numbers answers =
+                answers_of(single_ ? v.as_float : v.as_double, batch_.questions);
+            bool differs = false;
+            for (std::size_t i = 0; i < truth.size(); ++i) {
+                differs = differs || !(std::abs(answers[i] - truth[i]) <= tolerance[i]);
+            }
+            if (differs) {
+                batch_.mistakes.push_back(
+                    {v.task, v.words, v.kind == VariantKind::skeleton, answers});
+            }
+        }
+    }
+    // Trivial answers: 0, 1, the middle one of the right answers, the skeleton's.
+    double floor(const Numbers& truth) const {
+        Numbers sorted = truth;
+        std::sort(sorted.begin(), sorted.end());
+        double best = 0;
+        for (const double constant : {0.0, 1.0, sorted[sorted.size() / 2]}) {
+            best = std::max(best, passed_share(batch_, Numbers(truth.size(), constant)));
+        }
+        for (const Mistake& m : batch_.mistakes) {
+            if (m.skeleton && (m.task.empty() || m.task == w_.task.at("id"))) {
+                best = std::max(best, passed_share(batch_, m.answers));
+            }
+        }
+        if (best == 1 && weights_.empty() && w_.asked.at("kind") != "reciprocity") {
+            throw Error(w_.asked.at("name").get<std::string>() + ": trivial answers pass all");
+        }
+        return best;
+    }
+
+    Wanted w_;
+    bool single_;
+    int task_;
+    Random random_;
+    Batch batch_{};
+    Numbers weights_;  // of the rows of an albedo
+};
+
+}  // namespace
+
+Batch make_batch(const Wanted& wanted, const std::string& number) {
+    return Maker(wanted, number).make();
+}
+
+}  // namespace glint::grading

@@ -1,0 +1,127 @@
+// What students get, looked through for what they shall not.
+#include "tests/grading/instructor/handout.hpp"
+
+#include "framework/math/error.hpp"
+#include "tests/grading/case.hpp"
+#include "tests/grading/instructor/make_cases.hpp"
+#include "tests/grading/text_file.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <regex>
+#include <unistd.h>
+
+namespace glint::grading {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Scratch {
+    fs::path path = fs::temp_directory_path() / ("glint_handout_" + std::to_string(::getpid()));
+    Scratch() { fs::create_directory(path); }
+    ~Scratch() { fs::remove_all(path); }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+};
+
+TEST_CASE("the handout holds no line of an answer, no hidden case, nothing of the instructor's") {
+    const Scratch scratch;
+    const fs::path tree = scratch.path / "course";
+    hand_out(SOURCE_FOLDER, tree);
+
+    const auto lines = telling_lines(SOURCE_FOLDER);
+    CHECK(lines.size() > 40);
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(tree)) {
+        if (!entry.is_regular_file()) {
+            continue;
+        }
+        ++files;
+        const std::string path = fs::relative(entry.path(), tree).generic_string();
+        const std::string text = read_text(entry.path());
+        CAPTURE(path);
+        for (const std::string& line : lines) {
+            if (text.find(line) != std::string::npos) {
+                CAPTURE(line);
+                FAIL_CHECK("holds a line of an answer");
+            }
+        }
+        CHECK(text.find("// SOLUTION ") == std::string::npos);
+    }
+    CHECK(files > 200);
+    CHECK(!fs::exists(tree / "tests/grading/instructor"));
+    CHECK(!fs::exists(tree / "tests/unit/lessons"));
+    CHECK(!fs::exists(tree / ".git"));
+    CHECK(fs::exists(tree / "lessons/09_normalised_phong/normalised_phong.hpp"));
+
+    for (const std::string& name : graded_lessons()) {
+        Lesson lesson;
+        nlohmann::json::parse(read_text(tree / "tests/grading/cases" / (name + ".json")))
+            .get_to(lesson);
+        for (const Task& task : lesson.tasks) {
+            CHECK(!task.cases.empty());
+            for (const Case& c : task.cases) {
+                CHECK(!c.hidden);
+            }
+        }
+    }
+}
+
+TEST_CASE("a folder that is not empty is left alone") {
+    const Scratch scratch;
+    write_text(scratch.path / "mine", "x");
+    CHECK_THROWS_AS(hand_out(SOURCE_FOLDER, scratch.path), Error);
+    CHECK(read_text(scratch.path / "mine") == "x");
+    CHECK(!fs::exists(scratch.path.string() + ".new"));
+}
+
+TEST_CASE("a task's points are its lesson's table's, and properties stand beside values") {
+    for (const std::string& name : graded_lessons()) {
+        const fs::path folder = fs::path(SOURCE_FOLDER) / "lessons" / name;
+        const std::string text = read_text(folder / "README.md");
+        const Lesson lesson = make_cases(name, Identity{"secret", "course", "somebody"});
+        for (const Task& task : lesson.tasks) {
+            CAPTURE(task.id);
+            double points = 0;
+            for (const Case& c : task.cases) {
+                points += c.points;
+                CHECK((!c.is_property() ||
+                       std::any_of(task.cases.begin(), task.cases.end(), [&](const Case& other) {
+                           return !other.is_property() && other.hidden == c.hidden;
+                       })));
+            }
+            std::smatch match;
+            REQUIRE(
+                std::regex_search(text, match, std::regex("\\| " + task.id + " \\| (\\d+) \\|")));
+            CHECK(points == std::stod(match[1]));
+        }
+    }
+}
+
+TEST_CASE("hidden cases differ by student, assignment and secret; visible ones never") {
+    const auto questions = [](const Identity& who, bool hidden) {
+        std::vector<double> all;
+        for (const Task& task : make_cases("09_normalised_phong", who).tasks) {
+            for (const Case& c : task.cases) {
+                if (c.hidden == hidden && c.kind == "values") {
+                    all.insert(all.end(), c.batches[0].questions.begin(),
+                               c.batches[0].questions.end());
+                }
+            }
+        }
+        return all;
+    };
+    const Identity one{"secret", "course", "one"};
+    for (const Identity& other :
+         {Identity{"secret", "course", "two"}, Identity{"secret", "later course", "one"},
+          Identity{"another", "course", "one"}}) {
+        CHECK(questions(one, true) != questions(other, true));
+        CHECK(questions(one, false) == questions(other, false));
+    }
+    CHECK(questions(one, true) == questions(one, true));
+}
+
+}  // namespace
+}  // namespace glint::grading

@@ -120,7 +120,7 @@ void draw_picture(const Lesson& lesson, const Options& o) {
         print(words, metrics, o);
     }
     if (!o.stats.empty()) {
-        write_statistics(o, drawing);
+        write_statistics(lesson, o, drawing);
     }
 }
 

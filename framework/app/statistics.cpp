@@ -47,8 +47,10 @@ std::string summary(const Lesson& lesson, const Options& o, const Drawing& drawi
     return line.str();
 }
 
-void write_statistics(const Options& o, const Drawing& drawing) {
+void write_statistics(const Lesson& lesson, const Options& o, const Drawing& drawing) {
     nlohmann::ordered_json json;
+    json["lesson"] = lesson.name;
+    json["title"] = lesson.title;
     const auto add = [&](const std::string& name, double Statistics::*stage) {
         const auto [least, median] = over_frames(drawing, stage);
         json[name + "_ms_min"] = least;

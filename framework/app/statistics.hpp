@@ -10,8 +10,8 @@ namespace glint {
 // One line: name, size, fragments, nanoseconds a fragment, first picture file.
 std::string summary(const Lesson& lesson, const Options& options, const Drawing& drawing);
 
-// One JSON object to the file of --stats, or to standard output: least and median milliseconds of a
-// frame and of its stages, counts, and what drew it.
-void write_statistics(const Options& options, const Drawing& drawing);
+// One JSON object to the file of --stats, or to standard output: the lesson, least and median
+// milliseconds of a frame and of its stages, counts, and what drew it.
+void write_statistics(const Lesson& lesson, const Options& options, const Drawing& drawing);
 
 }  // namespace glint

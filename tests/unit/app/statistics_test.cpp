@@ -34,7 +34,7 @@ json written(const Options& options, const Drawing& drawing) {
     const TemporaryFolder folder;
     Options o = options;
     o.stats = (folder / "s.json").string();
-    write_statistics(o, drawing);
+    write_statistics(small_lesson(), o, drawing);
     const auto bytes = read_file(o.stats);
     return json::parse(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
@@ -58,6 +58,8 @@ TEST_CASE("the JSON says what drew it") {
     Options o = small_options();
     o.settings = {.lanes = 4, .threads = 3, .samples = 8};
     const json tiles = written(o, five_frames());
+    CHECK(tiles["lesson"] == "00_small");
+    CHECK(tiles["title"] == "A ball before a wall");
     CHECK(tiles["rasterizer"] == "tiles");
     CHECK(tiles["lanes"] == 4);
     CHECK(tiles["threads"] == 3);

@@ -12,6 +12,7 @@ window_needs=(libsdl2-dev:SDL2/SDL.h)
 test_needs=(doctest-dev:doctest/doctest.h libseccomp-dev:seccomp.h
   libssl-dev:openssl/hmac.h)
 window_test_needs=("${window_needs[@]}" xvfb:Xvfb xdotool:xdotool imagemagick:import)
+gallery_test_needs=(chromium:chromium chromium-driver:chromedriver curl:curl)
 
 say() { printf '%s\n' "$*" >&2; }
 

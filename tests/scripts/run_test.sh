@@ -79,6 +79,69 @@ test_compare() {
   expect 2 "" "*error: *missing.png*"
 }
 
+# A project of two lessons that draw at once, and a folder where all is built.
+make_project() {
+  local name data=$top/tests/data/metrics
+  mkdir -p project/framework/app/programs project/lessons project/assets/golden built/bin
+  cp "$top/framework/setup.sh" project/framework/
+  cp "$top/framework/app/programs/gallery.html" project/framework/app/programs/
+  cp "$top/lessons/run" project/lessons/
+  for name in 01_one 02_two; do
+    mkdir "project/lessons/$name"
+    echo ".title = \"Lesson: $name\"," >"project/lessons/$name/main.cpp"
+    cat >"built/bin/$name" <<END
+#!/bin/bash
+# $name [--frames N] --out PICTURE [--stats FILE]
+[[ \$1 != --frames ]] || shift 2
+[[ ! -e $scratch/broken_$name ]] || exit 2
+cp "$scratch/$name.png" "\$2"
+[[ \$# == 2 ]] || echo '{"title": "T", "frame_ms_min": 1, "fragments_shaded": 9, "triangles_in": 9,
+  "lanes": 1, "threads": 1, "samples": 4, "frames": 5, "instruction_set": "x"}' >"\$4"
+echo "$name: drawn"
+END
+    chmod +x "built/bin/$name"
+    cp "$data/sphere.png" "$name.png"
+    cp "$data/sphere.png" "project/assets/golden/$name.png"
+  done
+  ln -s "$GLINT_BUILD"/bin/{compare,gallery} built/bin/
+  printf 'rule none\n  command = true\nbuild lessons compare: phony\n' >built/build.ninja
+  printf '%s\n' CMAKE_PROJECT_NAME:STATIC=Glint "CMAKE_HOME_DIRECTORY:INTERNAL=$scratch/project" \
+    CMAKE_GENERATOR:INTERNAL=Ninja "CMAKE_MAKE_PROGRAM:FILEPATH=$(command -v ninja)" \
+    >built/CMakeCache.txt
+}
+
+run_project() { call env GLINT_BUILD="$scratch/built" project/lessons/run "$@"; }
+
+test_all_lessons() {
+  run_project
+  expect 0 "01_one: drawn
+02_two: drawn; FLIP from 01_one: mean 0, max 0" ""
+  local left=(01_one.json 01_one.png 01_one_to_02_two.heat.png 01_one_to_02_two.json 02_two.json
+    02_two.png index.html)
+  [[ $(ls project/out) == "$(printf '%s\n' "${left[@]}")" ]] || wrong "${left[*]} in out"
+}
+
+test_check() {
+  run_project --check
+  expect 0 "01_one: as it was*02_two: as it was*" ""
+  cp "$top/tests/data/metrics/sphere_noise.png" 02_two.png
+  run_project --check
+  expect 1 "01_one: as it was*
+02_two: WRONG, rmse is 7.54016, --max-rmse 0.05 is the limit;over_one is 0.995*
+  worst pixel 92,57: 255 156 126, was 255 159 160
+*02_two.diff.png" "1 of 2 lessons are not as they were: 02_two"
+  [[ -s project/out/02_two.diff.png ]] || wrong "the difference as a picture"
+  rm project/assets/golden/01_one.png
+  run_project --check
+  expect 1 "01_one: WRONG, there is no golden *01_one.png
+02_two: WRONG*" "2 of 2 lessons*"
+  cp "$top/assets/golden/09_normalised_phong.png" project/assets/golden/01_one.png
+  touch broken_02_two
+  run_project --check
+  expect 1 "01_one: WRONG, error:*960x540*
+02_two: WRONG, it cannot be drawn" "2 of 2 lessons*"
+}
+
 test_program_errors() {
   run 01 --size 0x0
   expect 2 "" "error: --size*"
@@ -120,6 +183,9 @@ test_list
 test_wrong_words
 test_statistics_are_alone
 test_compare
+make_project
+test_all_lessons
+test_check
 test_program_errors
 bare_machine
 test_unknown_system

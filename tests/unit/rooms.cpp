@@ -120,7 +120,9 @@ std::span<const PackagePlaces> package_places() {
         {"CLI/",
          {"framework/app/options.cpp", "framework/app/programs/compare.cpp",
           "framework/app/programs/coverage.cpp"}},
-        {"nlohmann/", {"framework/app/statistics.cpp", "framework/app/programs/compare.cpp"}},
+        {"nlohmann/",
+         {"framework/app/statistics.cpp", "framework/app/programs/compare.cpp",
+          "framework/app/programs/gallery.cpp"}},
         {"doctest/", {}},
     };
     return all;

@@ -1,7 +1,7 @@
 // Where questions are drawn from, by the names that manifests use.
 #pragma once
 
-#include "tests/grading/instructor/seed.hpp"
+#include "tests/grading/instructor/random.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,7 @@
 #include "tests/grading/instructor/handout.hpp"
 
 #include "framework/math/error.hpp"
-#include "tests/grading/instructor/make_cases.hpp"
+#include "tests/grading/cases.hpp"
 #include "tests/grading/instructor/marks.hpp"
 #include "tests/grading/text_file.hpp"
 
@@ -67,7 +67,7 @@ void write_file(const fs::path& from, const fs::path& to) {
 void write_cases(const fs::path& to) {
     fs::create_directories(to);
     for (const std::string& name : graded_lessons()) {
-        const nlohmann::json cases = make_cases(name, std::nullopt);
+        const nlohmann::json cases = cases_of(name, std::nullopt);
         write_text(to / (name + ".json"), cases.dump() + '\n');
     }
 }

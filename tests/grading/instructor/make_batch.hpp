@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/grading/case.hpp"
-#include "tests/grading/instructor/seed.hpp"
+#include "tests/grading/instructor/random.hpp"
 #include "tests/grading/instructor/variants.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
-#include "tests/grading/instructor/make_cases.hpp"
-
+#include "tests/grading/cases.hpp"
+#include "tests/grading/digest.hpp"
 #include "tests/grading/instructor/make_batch.hpp"
 #include "tests/grading/text_file.hpp"
 
@@ -35,7 +35,7 @@ Case make_case(const json& task, const json& asked, std::span<const Variant> var
 
 }  // namespace
 
-Lesson make_cases(const std::string& name, const std::optional<Identity>& identity) {
+Lesson cases_of(const std::string& name, const std::optional<Identity>& identity) {
     const json manifest = json::parse(read_text(folder() / (name + ".json")));
     Lesson lesson{manifest.at("lesson"), manifest.at("header"), {}};
     for (const json& task : manifest.at("tasks")) {

@@ -78,7 +78,7 @@ void write_table(std::ostream& out, const std::vector<Source>& all, const std::s
 void write(std::ostream& out, const std::vector<Source>& all, const std::string& questions,
            const std::string& lesson) {
     write_includes(out, all.front().text);
-    out << "#include \"tests/grading/question.hpp\"\n"
+    out << "#include \"tests/grading/runner/question.hpp\"\n"
            "#include \"tests/grading/instructor/variants.hpp\"\n";
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string name = name_of(lesson, i);

@@ -3,7 +3,7 @@
 
 #include "framework/math/error.hpp"
 #include "tests/grading/case.hpp"
-#include "tests/grading/instructor/make_cases.hpp"
+#include "tests/grading/cases.hpp"
 #include "tests/grading/text_file.hpp"
 
 #include <doctest/doctest.h>
@@ -81,7 +81,7 @@ TEST_CASE("a task's points are its lesson's table's, and properties stand beside
     for (const std::string& name : graded_lessons()) {
         const fs::path folder = fs::path(SOURCE_FOLDER) / "lessons" / name;
         const std::string text = read_text(folder / "README.md");
-        const Lesson lesson = make_cases(name, Identity{"secret", "course", "somebody"});
+        const Lesson lesson = cases_of(name, Identity{"secret", "course", "somebody"});
         for (const Task& task : lesson.tasks) {
             CAPTURE(task.id);
             double points = 0;
@@ -103,7 +103,7 @@ TEST_CASE("a task's points are its lesson's table's, and properties stand beside
 TEST_CASE("hidden cases differ by student, assignment and secret; visible ones never") {
     const auto questions = [](const Identity& who, bool hidden) {
         std::vector<double> all;
-        for (const Task& task : make_cases("09_normalised_phong", who).tasks) {
+        for (const Task& task : cases_of("09_normalised_phong", who).tasks) {
             for (const Case& c : task.cases) {
                 if (c.hidden == hidden && c.kind == "values") {
                     all.insert(all.end(), c.batches[0].questions.begin(),

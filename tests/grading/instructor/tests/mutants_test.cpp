@@ -1,5 +1,5 @@
 // Every known mistake loses points and is named; right answers earn all, skeletons nothing.
-#include "tests/grading/instructor/make_cases.hpp"
+#include "tests/grading/cases.hpp"
 #include "tests/grading/instructor/variants.hpp"
 #include "tests/grading/score.hpp"
 
@@ -30,7 +30,7 @@ const TaskResult& task_of(const LessonResult& r, const std::string& id) {
 
 TEST_CASE("right answers earn all points, skeletons none") {
     for (const std::string& name : graded_lessons()) {
-        const Lesson lesson = make_cases(name, somebody);
+        const Lesson lesson = cases_of(name, somebody);
         for (const Variant& v : variants_of(name)) {
             CAPTURE(name);
             const LessonResult r = graded(lesson, v);
@@ -51,7 +51,7 @@ TEST_CASE("right answers earn all points, skeletons none") {
 TEST_CASE("every mutant loses points of its task, and only there, and is named") {
     int count = 0;
     for (const std::string& name : graded_lessons()) {
-        const Lesson lesson = make_cases(name, somebody);
+        const Lesson lesson = cases_of(name, somebody);
         for (const Variant& v : variants_of(name)) {
             if (v.kind != VariantKind::mutant) {
                 continue;

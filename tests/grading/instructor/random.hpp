@@ -1,13 +1,9 @@
-// Numbers that only the holder of a secret can foretell, the same on every machine.
+// Numbers that are the same on every machine.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 namespace glint::grading {
-
-// The first 64 bits of HMAC-SHA256 of the text.
-std::uint64_t seed(const std::string& secret, const std::string& text);
 
 // splitmix64 (Steele, Lea and Flood 2014).
 class Random {

@@ -131,7 +131,8 @@ Float<N> float_from_bits(Int<N> a) {
 inline std::int32_t round_to_int(float a) {
     return static_cast<std::int32_t>(__builtin_rintf(a));
 }
-inline std::int32_t truncate_to_int(float a) {
+template <class T>
+requires std::is_floating_point_v<T> std::int32_t truncate_to_int(T a) {
     return static_cast<std::int32_t>(a);
 }
 inline float to_float(std::int32_t a) {

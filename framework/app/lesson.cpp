@@ -124,11 +124,19 @@ void draw_picture(const Lesson& lesson, const Options& o) {
     }
 }
 
-int run(int argc, const char* const* argv, const Lesson& lesson) {
-    Options o = parse_options(argc, argv, lesson.name, lesson.title, lesson.parameters);
-    if (o.outs.empty()) {
-        o.outs.push_back("out/" + lesson.name + ".png");
+// Those that are read, or those that are written, where given.
+void use_files(const Lesson& lesson, const Options& o, bool writing) {
+    for (const FileOption& f : lesson.files) {
+        const auto given = o.files.find(f.flag);
+        if (given != o.files.end() && f.writes == writing) {
+            f.use(given->second, o.parameters);
+        } else if (given != o.files.end() && f.writes) {
+            require_folder_of(given->second);
+        }
     }
+}
+
+int show(const Lesson& lesson, const Options& o) {
     if (o.window) {
         return run_window(lesson, o);
     }
@@ -138,6 +146,18 @@ int run(int argc, const char* const* argv, const Lesson& lesson) {
         draw_picture(lesson, o);
     }
     return 0;
+}
+
+int run(int argc, const char* const* argv, const Lesson& lesson) {
+    Options o =
+        parse_options(argc, argv, lesson.name, lesson.title, lesson.parameters, lesson.files);
+    if (o.outs.empty()) {
+        o.outs.push_back("out/" + lesson.name + ".png");
+    }
+    use_files(lesson, o, false);
+    const int code = show(lesson, o);
+    use_files(lesson, o, true);
+    return code;
 }
 
 }  // namespace

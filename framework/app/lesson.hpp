@@ -31,6 +31,7 @@ struct Lesson {
     std::vector<Panel> panels{};
     std::function<Scene(const Parameters&)> stage;
     std::function<ShaderSet(const Scene&, const Parameters&)> shaders;
+    std::vector<FileOption> files{};
 };
 
 // Lesson::shaders from a function make(scene, material, parameters) that returns a fragment shader.

@@ -161,6 +161,13 @@ void add_output(CLI::App& app, Options& o, const std::string& name) {
                  "open a live window; its key F1 says what keys and mouse do");
 }
 
+void add_files(CLI::App& app, Options& o, const std::vector<FileOption>& files) {
+    for (const FileOption& f : files) {
+        option(app, f.flag.c_str(), f.type.c_str(), f.meaning,
+               [&o, flag = f.flag](Text t) { o.files[flag] = t; });
+    }
+}
+
 std::string footer(const Parameters& parameters) {
     std::string text;
     for (const Parameter& p : parameters.all()) {
@@ -220,7 +227,8 @@ void Parameters::set(std::string_view name, float value) {
 }
 
 Options parse_options(int argc, const char* const* argv, const std::string& name,
-                      const std::string& title, const Parameters& parameters) {
+                      const std::string& title, const Parameters& parameters,
+                      const std::vector<FileOption>& files) {
     Options o;
     o.parameters = parameters;
     o.settings.samples = 4;
@@ -232,6 +240,7 @@ Options parse_options(int argc, const char* const* argv, const std::string& name
     add_lights(app, o);
     add_rasterizer(app, o);
     add_output(app, o, name);
+    add_files(app, o, files);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

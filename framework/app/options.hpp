@@ -4,6 +4,8 @@
 #include "framework/scene/scene.hpp"
 #include "framework/raster/pipeline.hpp"
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +38,13 @@ class Parameters {
     std::vector<Parameter> all_;
 };
 
+// A file that one lesson's program takes besides meshes and pictures.
+struct FileOption {
+    std::string flag, type, meaning;  // "--read", "FILE.binary", what for
+    std::function<void(const std::string& path, const Parameters&)> use;
+    bool writes = false;  // used last, when all else is done; else first
+};
+
 enum class ViewMode { shaded, normal, depth, triangle, overdraw, tiles };
 
 struct Options {
@@ -57,11 +66,13 @@ struct Options {
     std::string compare;
     bool window = false;
     Parameters parameters;
-    std::vector<std::string> set;  // the parameters that --set named
+    std::vector<std::string> set;              // the parameters that --set named
+    std::map<std::string, std::string> files;  // path by flag of a FileOption
 };
 
 // What is asked for, with Error for what cannot be. --help prints and ends the program with 0.
 Options parse_options(int argc, const char* const* argv, const std::string& name,
-                      const std::string& title, const Parameters& parameters);
+                      const std::string& title, const Parameters& parameters,
+                      const std::vector<FileOption>& files = {});
 
 }  // namespace glint

@@ -115,7 +115,7 @@ run_project() { call env GLINT_BUILD="$scratch/built" project/lessons/run "$@"; 
 test_all_lessons() {
   run_project
   expect 0 "01_one: drawn
-02_two: drawn; FLIP from 01_one: mean 0, max 0" ""
+02_two: drawn; FLIP from 01_one: mean 0, max 0" "The gallery of all is *out/index.html"
   local left=(01_one.json 01_one.png 01_one_to_02_two.heat.png 01_one_to_02_two.json 02_two.json
     02_two.png index.html)
   [[ $(ls project/out) == "$(printf '%s\n' "${left[@]}")" ]] || wrong "${left[*]} in out"

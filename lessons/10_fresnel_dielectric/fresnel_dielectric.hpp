@@ -25,7 +25,7 @@ T refracted_cosine(const T& n1, const T& n2, const T& cos1) {
     const T square = (n2 - n1) * (n2 + n1) + along * along;
     return select(square < T(0.0F), T(-1.0F), sqrt(max(square, T(0.0F))) / n2);
     // HANDOUT
-    // return cos1;  // TODO 10.1: Snell's law
+    // return select(n1 > T(0.0F), cos1, n2);  // TODO 10.1: Snell's law
     // END
 }
 

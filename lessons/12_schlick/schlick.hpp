@@ -16,7 +16,7 @@ T f0_dielectric(const T& ior) {
     const T r = (ior - T(1.0F)) / (ior + T(1.0F));
     return r * r;
     // HANDOUT
-    // return T(0.04F);  // TODO 12.1: from the index
+    // return min(ior, T(0.04F));  // TODO 12.1: from the index
     // END
 }
 
@@ -29,7 +29,7 @@ T f0_conductor(const T& ior, const T& k) {
     const T above = ior + T(1.0F);
     return (below * below + k * k) / (above * above + k * k);
     // HANDOUT
-    // return T(0.5F);  // TODO 12.2: from the complex index
+    // return min(ior + k, T(0.5F));  // TODO 12.2: from the complex index
     // END
 }
 
@@ -41,7 +41,7 @@ T schlick_weight(const T& cos_i) {
     const T m2 = m * m;
     return m2 * m2 * m;
     // HANDOUT
-    // return T(0.0F);  // TODO 12.3: (1 - cos)^5
+    // return min(cos_i, T(0.0F));  // TODO 12.3: (1 - cos)^5
     // END
 }
 

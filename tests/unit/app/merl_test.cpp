@@ -8,9 +8,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <random>
+#include <span>
 
 namespace glint {
 namespace {
@@ -28,9 +28,10 @@ MerlBrdf numbered(int half, int difference, int azimuth) {
 
 std::vector<std::byte> file_of(const std::vector<std::int32_t>& counts,
                                const std::vector<double>& values) {
-    std::vector<std::byte> bytes(counts.size() * 4 + values.size() * 8);
-    std::memcpy(bytes.data(), counts.data(), counts.size() * 4);
-    std::memcpy(bytes.data() + counts.size() * 4, values.data(), values.size() * 8);
+    const auto head = std::as_bytes(std::span(counts));
+    const auto body = std::as_bytes(std::span(values));
+    std::vector<std::byte> bytes(head.begin(), head.end());
+    bytes.insert(bytes.end(), body.begin(), body.end());
     return bytes;
 }
 

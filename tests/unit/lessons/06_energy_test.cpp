@@ -40,7 +40,6 @@ TEST_CASE("06.2 the lobe's albedo along the normal: the README's table") {
                                    {5, .898},    {10, .524},   {20, .286},    {50, .121},
                                    {100, .0616}, {500, .0125}, {1000, .00627}};
     for (const auto& [n, expected] : table) {
-        CAPTURE(n);
         CHECK(std::abs(phong_albedo_along_normal(n) / expected - 1) < 2e-3);
         const PhongLobe lobe{static_cast<float>(n)};
         CHECK(std::abs(directional_albedo(lobe, 1).g - phong_albedo_along_normal(n)) < 1e-7);

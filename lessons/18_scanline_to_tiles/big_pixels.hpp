@@ -16,8 +16,8 @@ inline void add_quad(Mesh& mesh, const std::array<glm::vec2, 4>& corners, float 
     for (const glm::vec2& c : corners) {
         mesh.positions.emplace_back(c, z);
     }
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 2, first + 3});
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
+    mesh.triangles.emplace_back(first, first + 2, first + 3);
     mesh.materials.resize(mesh.triangles.size(), static_cast<std::uint16_t>(material));
 }
 

@@ -61,7 +61,8 @@ enum : std::size_t { empty = colours, wrong, outline, mark };
 std::vector<Material> palette() {
     std::vector<Material> all;
     for (std::size_t i = 0; i < colours; ++i) {
-        const auto turn = static_cast<float>(i / 2) * glm::pi<float>() / 3;
+        const std::size_t hue = i / 2;
+        const float turn = static_cast<float>(hue) * glm::pi<float>() / 3;
         const float lightness = i % 2 == 0 ? 0.72F : 0.5F;
         all.push_back({.diffuse = rgb_from_oklab(
                            glm::vec3(lightness, 0.1F * std::cos(turn), 0.1F * std::sin(turn)))});

@@ -22,7 +22,7 @@ const char* const about =
     "  T id\n"
     "  y x_begin x_end [index of the triangle, for a mesh]";
 
-void run(const Settings& settings, int bits) {
+void answer(const Settings& settings, int bits) {
     CoverageInput state{.bits = bits, .line = 0, .begun = {}, .text = {}};
     while (const auto c = read_case(std::cin, state)) {
         std::vector<CoverageRun> runs;
@@ -34,9 +34,7 @@ void run(const Settings& settings, int bits) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+void run(int argc, char** argv) {
     CLI::App app{about, "coverage"};
     app.footer("Example:\n  echo 'T t 8 8 0.5 0.5 6 1 2 7' | coverage --raster scanline");
     std::string raster = "tiles";
@@ -49,14 +47,22 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(0, subpixel_bits));
     try {
         app.parse(argc, argv);
-        Settings settings;
-        settings.rasterizer = choice<Rasterizer>(
-            "--raster", raster, {{"tiles", Rasterizer::tiles}, {"scanline", Rasterizer::scanline}});
-        settings.lanes = lane_count(lanes);
-        run(settings, bits);
-        return 0;
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();
+        return;
+    }
+    Settings settings;
+    settings.rasterizer = choice<Rasterizer>(
+        "--raster", raster, {{"tiles", Rasterizer::tiles}, {"scanline", Rasterizer::scanline}});
+    settings.lanes = lane_count(lanes);
+    answer(settings, bits);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        run(argc, argv);
         return 0;
     } catch (const std::exception& e) {
         std::cerr << "error: " << e.what() << '\n';

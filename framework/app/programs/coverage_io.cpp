@@ -86,8 +86,8 @@ int to_subpixels(const CoverageInput& state, const char* name, std::string_view 
         fail(state, std::string(name) + " is " + quoted(word) + ", not a number from -" +
                         std::to_string(guard_band) + " to " + std::to_string(guard_band));
     }
-    const int step = subpixel_one >> state.bits;
-    return static_cast<int>(std::nearbyint(pixels * (subpixel_one / step))) * step;
+    const int steps = 1 << state.bits;
+    return static_cast<int>(std::nearbyint(pixels * steps)) * (subpixel_one / steps);
 }
 
 // A line as a case of one triangle.

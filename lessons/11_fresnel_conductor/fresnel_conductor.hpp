@@ -29,7 +29,7 @@ Reflectances<T> fresnel_conductor(const T& ior, const T& k, const T& cos_i) {
     const T perp = (square(a - c) + b2) / max(square(a + c) + b2, air);
     const T par = perp * (square(a * c - s2) + b2 * c * c) / (square(a * c + s2) + b2 * c * c);
     // HANDOUT
-    // const T perp = T(1.0F) - c;  // TODO 11.1: R_perp and R_par
+    // const T perp = T(1.0F) - min(c, ior + k);  // TODO 11.1: R_perp and R_par
     // const T par = perp;
     // END
     return {par, perp, T(0.5F) * (par + perp)};
@@ -48,7 +48,7 @@ Reflectances<T> fresnel_conductor_approximate(const T& ior, const T& k, const T&
         (square(ior * c - T(1.0F)) + square(k * c)) / (square(ior * c + T(1.0F)) + square(k * c));
     const T perp = (square(ior - c) + square(k)) / (square(ior + c) + square(k));
     // HANDOUT
-    // const T perp = T(1.0F) - square(c);  // TODO 11.2: the approximate R_perp and R_par
+    // const T perp = T(1.0F) - square(min(c, ior + k));  // TODO 11.2: R_perp and R_par
     // const T par = perp;
     // END
     return {par, perp, T(0.5F) * (par + perp)};

@@ -37,7 +37,7 @@ inline Rgb<float> diffuse_albedo(const Rgb<float>& Cd, bool metal) {
     // SOLUTION 13.1
     return metal ? Rgb<float>(0.0F) : Cd;
     // HANDOUT
-    // return Cd;  // TODO 13.1: metals have no diffuse reflection
+    // return metal ? 0.9F * Cd : Cd;  // TODO 13.1: metals have no diffuse reflection
     // END
 }
 

@@ -16,7 +16,7 @@ Rgb<T> diffuse_by_angle(const Rgb<T>& Cd, const Rgb<T>& F0, const Incidence<T>& 
     // SOLUTION 14.1
     return Cd * (Rgb<T>(T(1.0F)) - schlick(F0, g.NL)) * inverse_pi<T>;
     // HANDOUT
-    // return Cd * inverse_pi<T>;  // TODO 14.1: less what the surface reflects
+    // return select(g.NL > T(0.0F), Cd, F0) * inverse_pi<T>;  // TODO 14.1: less what is reflected
     // END
 }
 
@@ -26,7 +26,7 @@ Rgb<T> diffuse_by_f0(const Rgb<T>& Cd, const Rgb<T>& F0) {
     // SOLUTION 14.2
     return Cd * (Rgb<T>(T(1.0F)) - F0) * inverse_pi<T>;
     // HANDOUT
-    // return Cd * inverse_pi<T>;  // TODO 14.2: less what the surface reflects along the normal
+    // return min(Cd, Cd + F0) * inverse_pi<T>;  // TODO 14.2: less what is reflected at 0 degrees
     // END
 }
 

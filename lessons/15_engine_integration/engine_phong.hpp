@@ -18,7 +18,8 @@ struct EnginePhong {
         // SOLUTION 15.1
         return diffuse_by_f0(Rgb<T>(Cd), f0) + specular_by_angle(f0, T(n), g);
         // HANDOUT
-        // return diffuse_by_f0(Rgb<T>(Cd), f0);  // TODO 15.1: and the highlight
+        // const auto lit = g.NL > T(0.0F);
+        // return select(lit, diffuse_by_f0(Rgb<T>(Cd), f0), f0);  // TODO 15.1: and the highlight
         // END
     }
 

@@ -19,7 +19,7 @@ Rgb<T> coupled_diffuse(const Rgb<T>& Cd, const Rgb<T>& F0, const Incidence<T>& g
     const T both = enters * leaves;  // first, so that swapping them changes no bit
     return Cd * (Rgb<T>(T(1.0F)) - F0) * (T(21.0 / 20.0) * inverse_pi<T> * both);
     // HANDOUT
-    // return diffuse_by_f0(Cd, F0);  // TODO 16.1: couple light's and viewer's angle
+    // return select(g.NL > T(0.0F), diffuse_by_f0(Cd, F0), F0);  // TODO 16.1: couple both angles
     // END
 }
 

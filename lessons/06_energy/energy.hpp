@@ -13,11 +13,11 @@
 namespace glint {
 
 // The share of light from theta (radians from the normal) that is reflected, green standing for
-// all: what leaves towards (theta_V, phi), by lesson 2's sum over rings x 4 rings patches.
+// all: what leaves towards (theta_out, phi), by lesson 2's sum over rings x 4 rings patches.
 template <class Brdf>
 double albedo(const Brdf& brdf, double theta, int rings) {
-    const auto radiance = [&](double theta_V, double phi) {
-        return brdf(incidence_of_angles(theta, theta_V, phi)).g;
+    const auto radiance = [&](double theta_out, double phi) {
+        return brdf(incidence_of_angles(theta, theta_out, phi)).g;
     };
     // SOLUTION 06.1
     return irradiance(rings, radiance);

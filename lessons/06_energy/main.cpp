@@ -42,7 +42,8 @@ Scene curves() {
     for (const Material& m : surfaces()) {
         std::vector<glm::vec2> points;
         std::vector<float> values;
-        for (double degrees = 0; degrees <= 90; degrees += 1.5) {
+        for (int i = 0; i <= 60; ++i) {
+            const double degrees = 1.5 * i;
             const double share = albedo(brdf_of(m), glm::radians(degrees), 48);
             points.push_back(plot::place(degrees, share));
             values.push_back(static_cast<float>(share));

@@ -6,6 +6,7 @@
 #include "framework/measure/gonioreflectometer.hpp"
 #include "framework/math/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace glint {
@@ -59,10 +60,8 @@ inline Rgb<double> merged(const Rgb<double>& a, const Rgb<double>& b) {
 
 // Gives each cell of a column that has no value the one before it, or else the first one after.
 inline void fill(std::vector<Rgb<double>>& column) {
-    Rgb<double> last(0);
-    for (auto at = column.rbegin(); at != column.rend(); ++at) {
-        last = measured(*at) ? *at : last;  // ends as the first
-    }
+    const auto first = std::find_if(column.begin(), column.end(), measured);
+    Rgb<double> last = first == column.end() ? Rgb<double>(0) : *first;
     for (Rgb<double>& value : column) {
         value = last = measured(value) ? value : last;
     }
@@ -80,25 +79,22 @@ inline std::shared_ptr<const BrdfTable> table_of(const MerlBrdf& m) {
     }
     auto table = std::make_shared<BrdfTable>(
         BrdfTable{m.half, m.difference, m.azimuth / 2, {}, Rgb<float>(0.0F)});
-    const auto at = [&](int i, int j, int k) {
-        return static_cast<std::size_t>((i * m.difference + j) * m.azimuth + k);
-    };
+    const auto rows = static_cast<std::size_t>(m.difference);
+    const auto turns = static_cast<std::size_t>(m.azimuth);
     table->rgb.resize(m.values.size() / 2 * 3);
-    std::vector<Rgb<double>> column(static_cast<std::size_t>(m.difference));
-    for (int i = 0; i < m.half; ++i) {
-        for (int k = 0; k < table->azimuth; ++k) {
-            for (int j = 0; j < m.difference; ++j) {
-                column[static_cast<std::size_t>(j)] =
-                    merged(m.values[at(i, j, k)], m.values[at(i, j, m.azimuth - 1 - k)]);
+    std::vector<Rgb<double>> column(rows);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.half); ++i) {
+        for (std::size_t k = 0; k < turns / 2; ++k) {
+            for (std::size_t j = 0; j < rows; ++j) {
+                const std::size_t row = (i * rows + j) * turns;
+                column[j] = merged(m.values[row + k], m.values[row + turns - 1 - k]);
             }
             fill(column);
-            for (int j = 0; j < m.difference; ++j) {
-                const auto cell =
-                    static_cast<std::size_t>((i * m.difference + j) * table->azimuth + k);
-                for (int c = 0; c < 3; ++c) {
-                    table->rgb[3 * cell + static_cast<std::size_t>(c)] =
-                        static_cast<float>(column[static_cast<std::size_t>(j)][c]);
-                }
+            for (std::size_t j = 0; j < rows; ++j) {
+                const std::size_t cell = (i * rows + j) * (turns / 2) + k;
+                table->rgb[3 * cell] = static_cast<float>(column[j].r);
+                table->rgb[3 * cell + 1] = static_cast<float>(column[j].g);
+                table->rgb[3 * cell + 2] = static_cast<float>(column[j].b);
             }
         }
     }

@@ -1,17 +1,16 @@
-// grade: what a submission is worth.
+// grade: what submissions are worth.
 #include "framework/math/error.hpp"
-#include "tests/grading/cases.hpp"
-#include "tests/grading/digest.hpp"
+#include "tests/grading/class.hpp"
 #include "tests/grading/doctor.hpp"
-#include "tests/grading/grade_lesson.hpp"
-#include "tests/grading/report.hpp"
+#include "tests/grading/exports/exports.hpp"
+#include "tests/grading/plain_text.hpp"
 #include "tests/grading/text_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <csignal>
 #include <iostream>
+#include <map>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 
@@ -19,67 +18,72 @@ namespace {
 
 using namespace glint::grading;
 using glint::Error;
+using Form = std::string (*)(const Report&);
 
-struct Options {
-    std::vector<std::string> lessons;  // numbers or names; none: all that were handed in
-    std::filesystem::path submission = SOURCE_FOLDER;
-    std::filesystem::path secret, out;
-    std::string student, assignment = "course";
+const std::map<std::string, Form> forms{
+    {"json", [](const Report& r) { return to_json(r).dump(1) + '\n'; }},
+    {"html", as_html},
+    {"junit", as_junit},
+    {"gradescope", as_gradescope},
+    {"prairielearn", as_prairielearn},
+    {"autolab", as_autolab},
+    {"github", as_github},
+    {"annotations", github_annotations},
+    {"csv", [](const Report& r) { return csv_head(r) + as_csv(r); }},
 };
 
-std::string lesson_of(const std::string& word) {
-    for (const std::string& name : graded_lessons()) {
-        if (name == word || name.substr(0, 2) == word || name.substr(0, 2) == '0' + word) {
-            return name;
-        }
-    }
-    throw Error("lesson " + word + " is not graded");
+struct Options {
+    ClassOrder c;  // what one submission is graded by, too
+    std::vector<std::string> lessons;
+    std::filesystem::path submission = SOURCE_FOLDER, secret;
+    std::map<std::string, std::filesystem::path> files;  // by form
+    std::string part;
+};
+
+void add_common(CLI::App& command, Options& o) {
+    command.add_option("--lesson", o.lessons, "numbers or names; all if left out");
+    command.add_option("--secret", o.secret, "a file; hidden cases are run with it");
+    command.add_option("--assignment", o.c.order.assignment, "hidden cases differ by its name");
 }
 
-std::optional<Identity> identity_of(const Options& o) {
-    if (o.secret.empty()) {
-        return std::nullopt;
+void finish(Options& o) {
+    o.c.order.root = SOURCE_FOLDER;
+    for (const std::string& word : o.lessons) {
+        o.c.order.lessons.push_back(lesson_named(word));
     }
-    if (!is_protected(protections())) {
-        throw Error("hidden cases are not run on this machine; grade doctor says what is missing");
+    if (!o.secret.empty()) {
+        o.c.order.secret = read_secret(o.secret);
     }
-    const std::string secret = read_text(o.secret);
-    if (secret.size() < 16) {
-        throw Error(o.secret.string() + ": a secret has 16 bytes or more");
+    if (!o.part.empty() && (std::sscanf(o.part.c_str(), "%d/%d", &o.c.part, &o.c.parts) != 2 ||
+                            o.c.part < 0 || o.c.part >= o.c.parts)) {
+        throw Error("--part " + o.part + ": write 0/4 for the first of four");
     }
-    return Identity{secret, o.assignment, o.student};
-}
-
-Report grade(const Options& o) {
-    const auto identity = identity_of(o);
-    Report report{o.student, o.assignment, "", "", {}};
-    std::string all;
-    for (const std::string& name : graded_lessons()) {
-        const bool named = std::any_of(o.lessons.begin(), o.lessons.end(),
-                                       [&](const auto& word) { return lesson_of(word) == name; });
-        const Lesson lesson = cases_of(name, identity);
-        const Intake submitted = find_header(o.submission, lesson);
-        const bool there = submitted.text || !submitted.objection.empty();
-        if (named || (o.lessons.empty() && there)) {
-            report.lessons.push_back(grade_lesson(lesson, submitted, SOURCE_FOLDER));
-            all += submitted.text.value_or("") + '\0';
-        }
-    }
-    if (report.lessons.empty()) {
-        throw Error(o.submission.string() + ": no lesson's header is there");
-    }
-    report.submission = sha256(all);
-    return report;
 }
 
 int one(const Options& o) {
-    const Report report = grade(o);
-    print(std::cout, report);
-    if (!o.out.empty()) {
-        std::filesystem::create_directories(o.out);
-        write_text(o.out / "report.json", to_json(report).dump(1) + '\n');
+    const Report report = grade_submission(o.submission, o.c.order);
+    if (report.lessons.empty()) {
+        throw Error(o.submission.string() + ": no lesson's header is there");
     }
+    bool printed = false;
+    for (const auto& [form, file] : o.files) {
+        if (file == "-") {
+            std::cout << forms.at(form)(report);
+            printed = true;
+        } else if (!file.empty()) {
+            write_text(file, forms.at(form)(report));
+        }
+    }
+    print(printed ? std::cerr : std::cout, report);
     return report.is_final() ? 0 : 3;
+}
+
+int whole_class(const Options& o) {
+    const auto not_final = grade_class(o.c);
+    for (const std::string& student : not_final) {
+        std::cerr << "to be graded again: " << printable(student, 80) << '\n';
+    }
+    return not_final.empty() ? 0 : 3;
 }
 
 int doctor() {
@@ -98,19 +102,32 @@ int main(int argc, char** argv) {
     prctl(PR_SET_DUMPABLE, 0);  // nobody of this user reads this process's memory
     umask(022);
     Options o;
+    o.c.order.assignment = "course";
     CLI::App app("Grades what students hand in");
     app.require_subcommand(1);
     CLI::App* one_command = app.add_subcommand("one", "Grades a header, or a folder with some");
-    one_command->add_option("submission", o.submission, "file or folder; this tree if left out");
-    one_command->add_option("--lesson", o.lessons, "numbers; those that are there if left out");
-    one_command->add_option("--secret", o.secret, "a file; hidden cases are run with it");
-    one_command->add_option("--student", o.student, "whose hidden cases");
-    one_command->add_option("--assignment", o.assignment, "which hidden cases");
-    one_command->add_option("--out", o.out, "folder for report.json");
+    one_command->add_option("submission", o.submission,
+                            "file, folder or zip archive; this tree if left out");
+    one_command->add_option("--student", o.c.order.student, "whose hidden cases");
+    add_common(*one_command, o);
+    for (const auto& form : forms) {
+        one_command->add_option("--" + form.first, o.files[form.first],
+                                "file to write this form of the report to; - is standard output");
+    }
+    CLI::App* class_command = app.add_subcommand("class", "Grades a folder of students");
+    class_command->add_option("folder", o.c.folder, "a folder or archive for each student")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    class_command->add_option("--out", o.c.out, "folder for reports and grades.csv")->required();
+    class_command->add_option("--roster", o.c.roster, "CSV, the first column names students");
+    class_command->add_option("--jobs", o.c.jobs, "students at a time")->check(CLI::Range(1, 256));
+    class_command->add_option("--part", o.part, "I/N: only every Nth student, from the Ith");
+    add_common(*class_command, o);
     app.add_subcommand("doctor", "Says which protections this machine has");
     CLI11_PARSE(app, argc, argv);
     try {
-        return one_command->parsed() ? one(o) : doctor();
+        finish(o);
+        return one_command->parsed() ? one(o) : class_command->parsed() ? whole_class(o) : doctor();
     } catch (const std::exception& e) {
         std::cerr << "error: " << e.what() << '\n';
         return 2;

@@ -130,9 +130,10 @@ bool Report::is_final() const {
 }
 
 json to_json(const Report& r) {
-    json j{{"schema", report_schema},    {"student", r.student},  {"assignment", r.assignment},
-           {"submission", r.submission}, {"bundle", r.bundle},    {"points", r.points()},
-           {"earned", r.earned()},       {"final", r.is_final()}, {"lessons", json::array()}};
+    json j{{"schema", report_schema},    {"student", r.student}, {"assignment", r.assignment},
+           {"submission", r.submission}, {"bundle", r.bundle},   {"seed", r.seed},
+           {"points", r.points()},       {"earned", r.earned()}, {"final", r.is_final()},
+           {"lessons", json::array()}};
     for (const LessonResult& l : r.lessons) {
         j["lessons"].push_back(to_json(l));
     }

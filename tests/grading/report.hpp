@@ -12,6 +12,7 @@ namespace glint::grading {
 struct Report {
     std::string student, assignment;
     std::string submission, bundle;  // SHA-256 of what was handed in, and of what graded it
+    std::string seed;                // of the hidden cases; empty where there were none
     std::vector<LessonResult> lessons;
 
     double points() const;

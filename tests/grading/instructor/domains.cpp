@@ -69,6 +69,22 @@ void highlight(Random& r, Numbers& to) {
     to.push_back(n);
 }
 
+int integer(Random& r, int low, int high) {
+    return low + static_cast<int>(r.bits() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+// A triangle that has an area, and a point, on a grid so coarse that the point often is on an edge.
+void lattice(Random& r, Numbers& to) {
+    Numbers n;
+    do {
+        n.clear();
+        for (int i = 0; i < 8; ++i) {
+            n.push_back(integer(r, 0, 4));
+        }
+    } while ((n[2] - n[0]) * (n[5] - n[1]) == (n[4] - n[0]) * (n[3] - n[1]));
+    to.insert(to.end(), n.begin(), n.end());
+}
+
 using Draw = void (*)(Random&, Numbers&);
 
 const std::map<std::string, Draw>& domains() {
@@ -93,6 +109,7 @@ const std::map<std::string, Draw>& domains() {
         {"incidence", incidence},
         {"lobe", lobe},
         {"highlight", highlight},
+        {"lattice", lattice},
     };
     return all;
 }
@@ -102,6 +119,11 @@ const std::map<std::string, Draw>& domains() {
 void draw(const nlohmann::json& domain, Random& random, Numbers& numbers) {
     if (domain.is_array()) {
         numbers.push_back(random.between(domain.at(0), domain.at(1)));
+        return;
+    }
+    if (domain.is_object()) {
+        const nlohmann::json& range = domain.at("integer");
+        numbers.push_back(integer(random, range.at(0), range.at(1)));
         return;
     }
     const auto found = domains().find(domain.get<std::string>());

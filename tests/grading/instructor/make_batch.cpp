@@ -28,8 +28,13 @@ class Maker {
 
     Batch make() {
         ask();
-        const Numbers truth = answers_of(w_.variants.front().as_double, batch_.questions);
-        const Numbers tolerance = tolerances(truth);
+        Numbers truth = answers_of(w_.variants.front().as_double, batch_.questions);
+        Numbers tolerance = tolerances(truth);
+        if (kind() == "values") {
+            drop_ill_conditioned(truth, tolerance);
+        } else if (kind() == "rows") {
+            limit(tolerance, truth);
+        }
         check(truth, tolerance);
         find_mistakes(truth, tolerance);
         batch_.floor = floor(truth);
@@ -37,6 +42,14 @@ class Maker {
     }
 
   private:
+    std::string kind() const { return w_.asked.at("kind"); }
+    static double largest(const Numbers& numbers) {
+        double most = 0;
+        for (const double x : numbers) {
+            most = std::max(most, std::abs(x));
+        }
+        return most;
+    }
     static int task_number(const std::string& id) { return id.at(3) - '0'; }
 
     // ---- questions; what floats cannot hold is asked of neither type
@@ -54,26 +67,25 @@ class Maker {
         return row;
     }
     void ask() {
-        const std::string kind = w_.asked.at("kind");
-        if (kind == "rows") {
+        if (kind() == "rows") {
             for (const json& row : w_.asked.at("rows")) {
                 add_row(row.get<Numbers>());
             }
-        } else if (kind == "values" || kind == "reciprocity") {
+        } else if (kind() == "values" || kind() == "reciprocity") {
             for (int i = 0; i < w_.asked.at("count"); ++i) {
                 Numbers row = drawn_row();
                 add_row(row);
-                if (kind == "reciprocity") {
+                if (kind() == "reciprocity") {
                     std::swap(row.at(w_.asked.at("swap")[0]), row.at(w_.asked.at("swap")[1]));
                     add_row(row);
                 }
             }
-        } else if (kind == "albedo") {
+        } else if (kind() == "albedo") {
             for (const double cosine : w_.asked.at("cosines")) {
                 ask_hemisphere(cosine);
             }
         } else {
-            throw Error("there is no kind of case " + kind);
+            throw Error("there is no kind of case " + kind());
         }
     }
     // The integral over the hemisphere of BRDF cos(theta) d omega: by Gauss over cos(theta), by
@@ -111,15 +123,14 @@ class Maker {
         return all;
     }
     // How far rounding may take an honest answer: a few units of the answer, and as many as the
-    // answer changes by when a question does by a unit; constants may be floats among doubles. At
-    // a jump of the truth no more than a thousandth.
+    // answer changes by when a question does by a unit; constants may be floats among doubles.
     Numbers tolerances(const Numbers& truth) const {
+        if (w_.task.value("exact", false)) {
+            return Numbers(truth.size(), 0.0);
+        }
         const double unit = (single_ ? 100 : 1) * 0x1p-23;
         const Answer answer = w_.variants.front().as_double;
-        double scale = 0;
-        for (const double x : truth) {
-            scale = std::max(scale, std::abs(x));
-        }
+        const double scale = largest(truth);
         Numbers change(truth.size(), 0.0);
         for (std::size_t column = 0; column < batch_.columns; ++column) {
             constexpr double step = 1e-6;
@@ -136,23 +147,57 @@ class Maker {
         Numbers tolerance(truth.size());
         for (std::size_t i = 0; i < truth.size(); ++i) {
             const double size = std::abs(truth[i]) + 0.01 * scale;
-            tolerance[i] = std::min(2 * unit * size + 0.2 * unit * change[i], 1e-3 * scale);
+            tolerance[i] = 2 * unit * size + 0.2 * unit * change[i];
         }
         return tolerance;
     }
 
+    // A thousandth of the largest answer: who is off by more is wrong.
+    static double most(const Numbers& truth) { return 1e-3 * largest(truth); }
+
+    // Rows that the manifest names are exact, at a jump of the truth too.
+    static void limit(Numbers& tolerance, const Numbers& truth) {
+        for (double& t : tolerance) {
+            t = std::min(t, most(truth));
+        }
+    }
+    // Drawn rows at which an honest answer may be far off are not asked.
+    void drop_ill_conditioned(Numbers& truth, Numbers& tolerance) {
+        const double limit = most(truth);
+        const std::size_t width = batch_.answers_a_row;
+        Numbers questions;
+        Numbers kept_truth;
+        Numbers kept;
+        for (std::size_t i = 0; i < batch_.rows(); ++i) {
+            const auto at = [&](Numbers& n, std::size_t row) {
+                return n.begin() + static_cast<std::ptrdiff_t>(row);
+            };
+            const auto begin = at(tolerance, i * width);
+            const auto end = at(tolerance, (i + 1) * width);
+            if (std::all_of(begin, end, [&](double t) { return t <= limit; })) {
+                questions.insert(questions.end(), at(batch_.questions, i * batch_.columns),
+                                 at(batch_.questions, (i + 1) * batch_.columns));
+                kept_truth.insert(kept_truth.end(), at(truth, i * width),
+                                  at(truth, (i + 1) * width));
+                kept.insert(kept.end(), begin, end);
+            }
+        }
+        batch_.questions = questions;
+        truth = kept_truth;
+        tolerance = kept;
+    }
+
     // ---- checks
     void check(const Numbers& truth, const Numbers& tolerance) {
-        const std::string kind = w_.asked.at("kind");
         const std::size_t width = batch_.answers_a_row;
-        if (kind == "reciprocity") {
+        if (kind() == "reciprocity") {
             for (std::size_t i = 0; i < truth.size(); i += 2 * width) {
                 for (std::size_t j = i; j < i + width; ++j) {
                     const double off = tolerance[j] + tolerance[j + width];
                     batch_.checks.push_back({{{j, 1.0}, {j + width, -1.0}}, -off, off});
                 }
             }
-        } else if (kind == "albedo") {
+        } else if (kind() == "albedo") {
             const std::size_t rows = weights_.size() / w_.asked.at("cosines").size();
             for (std::size_t first = 0; first < weights_.size(); first += rows) {
                 for (std::size_t i = 0; i < width; ++i) {
@@ -210,7 +255,7 @@ class Maker {
                 best = std::max(best, passed_share(batch_, m.answers));
             }
         }
-        if (best == 1 && weights_.empty() && w_.asked.at("kind") != "reciprocity") {
+        if (best == 1 && (kind() == "values" || kind() == "rows")) {
             throw Error(w_.asked.at("name").get<std::string>() + ": trivial answers pass all");
         }
         return best;

@@ -48,6 +48,19 @@ TEST_CASE("right answers earn all points, skeletons none") {
     }
 }
 
+TEST_CASE("right answers earn all points whatever is asked") {
+    for (const std::string& name : graded_lessons()) {
+        for (int student = 0; student < 50; ++student) {
+            CAPTURE(name);
+            CAPTURE(student);
+            const Lesson lesson =
+                cases_of(name, Identity{"another secret", "course", std::to_string(student)});
+            const LessonResult r = graded(lesson, variants_of(name).front());
+            CHECK(r.earned() == r.points());
+        }
+    }
+}
+
 TEST_CASE("every mutant loses points of its task, and only there, and is named") {
     int count = 0;
     for (const std::string& name : graded_lessons()) {

@@ -1,0 +1,69 @@
+#include "tests/grading/exports/exports.hpp"
+#include "tests/grading/exports/words.hpp"
+
+#include <sstream>
+
+namespace glint::grading {
+namespace {
+
+struct Counts {
+    int tests = 0, failures = 0, errors = 0, skipped = 0;
+};
+
+bool is_error(const CaseResult& c) {
+    return c.verdict != Verdict::ok && c.verdict != Verdict::wrong && c.verdict != Verdict::skipped;
+}
+
+std::string counts_of(const LessonResult& lesson) {
+    Counts n;
+    for (const TaskResult& task : lesson.tasks) {
+        for (const CaseResult& c : task.cases) {
+            ++n.tests;
+            n.failures += c.verdict == Verdict::wrong ? 1 : 0;
+            n.skipped += c.verdict == Verdict::skipped ? 1 : 0;
+            n.errors += is_error(c) ? 1 : 0;
+        }
+    }
+    std::ostringstream text;
+    text << "tests=\"" << n.tests << "\" failures=\"" << n.failures << "\" errors=\"" << n.errors
+         << "\" skipped=\"" << n.skipped << '"';
+    return text.str();
+}
+
+void write_case(std::ostream& out, const LessonResult& lesson, const TaskResult& task,
+                const CaseResult& c) {
+    out << "    <testcase classname=\"" << escaped(lesson.lesson) << '.' << task.id << "\" name=\""
+        << escaped(c.name) << "\" time=\"" << (c.hidden ? 0 : c.seconds) << "\">\n"
+        << "      <properties><property name=\"points\" value=\"" << points_text(c.earned)
+        << "\"/><property name=\"max_points\" value=\"" << points_text(c.points)
+        << "\"/></properties>\n";
+    if (c.verdict != Verdict::ok) {
+        const std::string tag = c.verdict == Verdict::skipped ? "skipped"
+                                : is_error(c)                 ? "error"
+                                                              : "failure";
+        out << "      <" << tag << " message=\"" << name_of(c.verdict) << "\">"
+            << escaped(words_for(lesson, task, c)) << "</" << tag << ">\n";
+    }
+    out << "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string as_junit(const Report& report) {
+    std::ostringstream out;
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    for (const LessonResult& lesson : report.lessons) {
+        out << "  <testsuite name=\"" << escaped(lesson.lesson) << "\" " << counts_of(lesson)
+            << ">\n";
+        for (const TaskResult& task : lesson.tasks) {
+            for (const CaseResult& c : task.cases) {
+                write_case(out, lesson, task, c);
+            }
+        }
+        out << "  </testsuite>\n";
+    }
+    out << "</testsuites>\n";
+    return out.str();
+}
+
+}  // namespace glint::grading

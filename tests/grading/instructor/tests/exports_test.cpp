@@ -1,0 +1,120 @@
+// Reports in other people's forms: their fields, and that words of strangers stay words.
+#include "tests/grading/exports/exports.hpp"
+
+#include "tests/grading/text_file.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <unistd.h>
+
+namespace glint::grading {
+namespace {
+
+using nlohmann::json;
+
+CaseResult result(const std::string& name, bool hidden, double points, double earned) {
+    const Verdict verdict = earned == points ? Verdict::ok : Verdict::wrong;
+    CaseResult c{name, "values", hidden, points, earned, verdict, "", std::nullopt, 0.25};
+    if (verdict == Verdict::wrong) {
+        c.failure = Failure{"float", {0.5, 32}, 0, 1.25, 1.25, 7.75};
+    }
+    return c;
+}
+
+Report report() {
+    LessonResult right{"09_normalised_phong", Verdict::wrong, "", {}};
+    right.tasks = {{"09.1",
+                    "the factor",
+                    "a lobe without its 1/pi",
+                    {result("some <n>", false, 2, 0.6), result("other", true, 2, 0)}},
+                   {"09.2", "the lobe", "", {result("in it", false, 1, 1)}}};
+    LessonResult broken{"12_schlick",
+                        Verdict::compile_error,
+                        "a.hpp:1: error: </failure>|`%0A\n",
+                        {{"12.1", "F0", "", {result("any", false, 2, 0)}}}};
+    broken.tasks[0].cases[0].verdict = Verdict::compile_error;
+    return {"=Ada \"the\" <1st>", "course", "aa", "bb", "17", {right, broken}};
+}
+
+TEST_CASE("Gradescope") {
+    const json j = json::parse(as_gradescope(report()));
+    CHECK(j.at("score") == doctest::Approx(1.6));
+    CHECK(j.at("stdout_visibility") == "hidden");
+    CHECK(!j.contains("output"));
+    REQUIRE(j.at("tests").size() == 4);
+    double earned = 0;
+    for (const json& t : j["tests"]) {
+        earned += t.at("score").get<double>();
+        CHECK(t.at("visibility") == "visible");
+        CHECK(t.at("output_format") == "text");
+    }
+    CHECK(earned == doctest::Approx(1.6));
+    CHECK(j["tests"][0].at("number") == "09.1");
+    CHECK(j["tests"][0].at("status") == "failed");
+    CHECK(j["tests"][0].at("output").get<std::string>().find("7.75") != std::string::npos);
+    CHECK(j["tests"][1].at("output").get<std::string>().find("7.75") == std::string::npos);
+    CHECK(j["tests"][2].at("status") == "passed");
+}
+
+TEST_CASE("what the grader could not grade says so") {
+    Report r = report();
+    r.lessons[0].verdict = Verdict::internal_error;
+    CHECK(json::parse(as_gradescope(r)).at("output").get<std::string>().find("no grade") !=
+          std::string::npos);
+    CHECK(json::parse(as_prairielearn(r)).at("gradable") == false);
+}
+
+TEST_CASE("PrairieLearn and Autolab") {
+    const json p = json::parse(as_prairielearn(report()));
+    CHECK(p.at("score") == doctest::Approx(1.6 / 7));
+    CHECK(p.at("tests")[0].at("max_points") == 2);
+    const std::string line = as_autolab(report());
+    CHECK(std::count(line.begin(), line.end(), '\n') == 1);
+    CHECK(json::parse(line).at("scores").at("09.1") == doctest::Approx(0.6));
+}
+
+TEST_CASE("JUnit is XML with the right counts") {
+    const std::string xml = as_junit(report());
+    CHECK(xml.find("<testsuite name=\"09_normalised_phong\" tests=\"3\" failures=\"2\" "
+                   "errors=\"0\" skipped=\"0\">") != std::string::npos);
+    CHECK(xml.find("tests=\"1\" failures=\"0\" errors=\"1\"") != std::string::npos);
+    CHECK(xml.find("name=\"some &lt;n&gt;\" time=\"0.25\"") != std::string::npos);
+    CHECK(xml.find("name=\"other\" time=\"0\"") != std::string::npos);
+    CHECK(xml.find("&lt;/failure&gt;") != std::string::npos);
+    if (std::system("command -v xmllint >/dev/null") == 0) {
+        const auto file = std::filesystem::temp_directory_path() /
+                          ("glint_junit_" + std::to_string(getpid()) + ".xml");
+        write_text(file, xml);
+        CHECK(std::system(("xmllint --noout " + file.string()).c_str()) == 0);
+        std::filesystem::remove(file);
+    }
+}
+
+TEST_CASE("Markdown, annotations, HTML and CSV keep strangers' words in their place") {
+    const std::string table = as_github(report());
+    CHECK(table.find("&lt;/failure&gt;\\|`%0A<br>") != std::string::npos);
+    CHECK(std::count(table.begin(), table.end(), '\n') == 6);
+    const std::string lines = github_annotations(report());
+    CHECK(std::count(lines.begin(), lines.end(), '\n') == 2);
+    CHECK(lines.find("%250A%0A\n") != std::string::npos);
+    CHECK(as_html(report()).find("<1st>") == std::string::npos);
+    const std::string csv = as_csv(report());
+    CHECK(csv.starts_with("\"'=Ada \"\"the\"\" <1st>\",1.6,7,yes,0.6,1,wrong,0,compile error,"));
+    const std::string head = csv_head(report());
+    CHECK(std::count(head.begin(), head.end(), ',') == std::count(csv.begin(), csv.end(), ','));
+}
+
+TEST_CASE("hidden cases tell nothing but points, in any form students see") {
+    for (const auto form : {as_gradescope, as_prairielearn, as_junit, as_github, as_html}) {
+        Report r = report();
+        r.lessons.resize(1);
+        r.lessons[0].tasks[0].cases[0] = result("some", false, 2, 2);
+        CHECK(form(r).find("7.75") == std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace glint::grading

@@ -1,0 +1,97 @@
+#include "tests/grading/intake.hpp"
+
+#include "tests/grading/plain_text.hpp"
+#include "tests/grading/text_file.hpp"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace glint::grading {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("glint_intake_" + std::to_string(getpid()));
+    Folder() { fs::create_directories(path / "sub"); }
+    ~Folder() { fs::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+};
+
+std::string objection(const fs::path& folder, const fs::path& below) {
+    const Intake taken = take_in(folder, below);
+    CHECK(!taken.text);
+    return taken.objection;
+}
+
+TEST_CASE("a text file is taken in") {
+    const Folder f;
+    write_text(f.path / "a.hpp", "int x;  // \xc3\xa4\n");
+    write_text(f.path / "sub/a.hpp", "");
+    CHECK(take_in(f.path, "a.hpp").text == "int x;  // \xc3\xa4\n");
+    CHECK(take_in(f.path / "a.hpp", "").text == "int x;  // \xc3\xa4\n");
+    CHECK(take_in(f.path, "sub/a.hpp").text == "");
+    write_text(f.path / "large", std::string(largest_submission, 'x'));
+    CHECK(take_in(f.path, "large").text->size() == largest_submission);
+}
+
+TEST_CASE("what is not there is no offence") {
+    const Folder f;
+    CHECK(objection(f.path, "a.hpp").empty());
+    CHECK(objection(f.path, "lessons/12/a.hpp").empty());
+    CHECK(objection(f.path / "none", "a.hpp").empty());
+}
+
+TEST_CASE("links, devices, pipes, folders, large and binary files are refused") {
+    const Folder f;
+    write_text(f.path / "secret", "s");
+    fs::create_symlink(f.path / "secret", f.path / "link");
+    fs::create_symlink("/dev/zero", f.path / "endless");
+    fs::create_directory_symlink(f.path, f.path / "round");
+    fs::create_hard_link(f.path / "secret", f.path / "second");
+    REQUIRE(mkfifo((f.path / "fifo").c_str(), 0600) == 0);
+    CHECK(objection(f.path, "link") == "a link");
+    CHECK(objection(f.path, "endless") == "a link");
+    CHECK(take_in(f.path, "round/secret").text == std::nullopt);
+    CHECK(objection(f.path, "second") == "a file with a second name");
+    CHECK(objection(f.path, "fifo") == "not a regular file");
+    CHECK(objection(f.path, "sub") == "not a regular file");
+    CHECK(objection("/dev", "zero") == "not a regular file");
+    write_text(f.path / "large", std::string(largest_submission + 1, 'x'));
+    CHECK(objection(f.path, "large") == "larger than 256 kB");
+    fs::resize_file(f.path / "large", std::uintmax_t{1} << 40);  // with holes
+    CHECK(objection(f.path, "large") == "larger than 256 kB");
+    write_text(f.path / "binary", std::string("a\0b", 3));
+    CHECK(objection(f.path, "binary") == "not a text in UTF-8");
+    write_text(f.path / "latin", "\xe4");
+    CHECK(objection(f.path, "latin") == "not a text in UTF-8");
+}
+
+TEST_CASE("words of strangers are made printable") {
+    CHECK(printable("plain\n\ttext \xc3\xa4 \xe2\x82\xac", 100) ==
+          "plain\n\ttext \xc3\xa4 \xe2\x82\xac");
+    CHECK(printable("\x1b[31m\a\x7f\r", 100) == "?[31m???");
+    CHECK(printable("\xc2\x9b"
+                    "31m \xe2\x80\xae"
+                    "x",
+                    100) == "?31m ?x");
+    CHECK(printable("\xff\xc0\x80\xed\xa0\x80", 100) == "??????");
+    CHECK(printable("abcdef", 3) == "abc...");
+    CHECK(printable("ab\xe2\x82\xac", 4) == "ab...");
+}
+
+TEST_CASE("UTF-8 is told from what is not") {
+    CHECK(is_plain_text(""));
+    CHECK(is_plain_text("\xf0\x9f\x98\x80\xef\xbb\xbf"));
+    for (const char* wrong : {"\x80", "\xc3", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80",
+                              "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80"}) {
+        CHECK(!is_plain_text(wrong));
+    }
+}
+
+}  // namespace
+}  // namespace glint::grading

@@ -44,10 +44,9 @@ std::vector<Protection> protections() {
          filter, true},
         {"files",
          landlock > 0 ? "kept apart by Landlock, version " + std::to_string(landlock)
-                      : "no Landlock: what others may read, the compiler may",
-         landlock > 0, false},
-        {"user",
-         root ? "another one for what is graded" : "the grader's own: start it as root for another",
+                      : "no Landlock: the compiler reads what its user may",
+         landlock > 0, !root},
+        {"user", root ? "another one for what is graded" : "the grader's own: root has another",
          root, false},
     };
 }

@@ -11,6 +11,7 @@
 
 #include <iostream>
 #include <map>
+#include <set>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 
@@ -35,7 +36,7 @@ const std::map<std::string, Form> forms{
 struct Options {
     ClassOrder c;  // what one submission is graded by, too
     std::vector<std::string> lessons;
-    std::filesystem::path submission = SOURCE_FOLDER, secret;
+    std::filesystem::path submission = SOURCE_FOLDER, secret, metadata;
     std::map<std::string, std::filesystem::path> files;  // by form
     std::string part;
 };
@@ -46,8 +47,24 @@ void add_common(CLI::App& command, Options& o) {
     command.add_option("--assignment", o.c.order.assignment, "hidden cases differ by its name");
 }
 
+// Gradescope's submission_metadata.json: a group is one student.
+std::string student_of(const std::filesystem::path& metadata) {
+    std::set<std::string> ids;
+    for (const nlohmann::json& user : nlohmann::json::parse(read_text(metadata)).at("users")) {
+        ids.insert(user.at("id").dump());
+    }
+    std::string all;
+    for (const std::string& id : ids) {
+        all += (all.empty() ? "" : ",") + id;
+    }
+    return all;
+}
+
 void finish(Options& o) {
     o.c.order.root = SOURCE_FOLDER;
+    if (!o.metadata.empty()) {
+        o.c.order.student = student_of(o.metadata);
+    }
     for (const std::string& word : o.lessons) {
         o.c.order.lessons.push_back(lesson_named(word));
     }
@@ -109,6 +126,8 @@ int main(int argc, char** argv) {
     one_command->add_option("submission", o.submission,
                             "file, folder or zip archive; this tree if left out");
     one_command->add_option("--student", o.c.order.student, "whose hidden cases");
+    one_command->add_option("--metadata", o.metadata,
+                            "Gradescope's submission_metadata.json, which names the student");
     add_common(*one_command, o);
     for (const auto& form : forms) {
         one_command->add_option("--" + form.first, o.files[form.first],

@@ -245,7 +245,7 @@ Ended run_confined(const Program& program, const Confinement& c) {
     const bool in_time = overfull || ends_before(child, end);
     const Gone gone = end_group(child);
     const std::string step = complained.take();
-    if (!talked || (!step.empty() && step != not_executable)) {
+    if (!talked || (!step.empty() && step != no_room)) {
         throw std::runtime_error("the sandbox cannot be entered: " + step);
     }
     const Ended::How how = !step.empty()              ? Ended::How::not_started

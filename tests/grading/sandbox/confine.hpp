@@ -36,7 +36,7 @@ struct Ended {
         signalled,
         out_of_time,   // by the wall clock
         output_limit,  // more than the limits' output or diagnostics
-        not_started,   // the program could not be executed
+        not_started,   // more memory than the limit before the first instruction
     };
     How how;
     int code;                         // exit code or signal

@@ -1,6 +1,7 @@
 #include "tests/grading/sandbox/enter.hpp"
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
@@ -130,7 +131,7 @@ void enter(const Program& program, const Confinement& c, const ChildEnds& ends, 
         start_timer(c.limits.processor);
         demand(install_filter(filter), "seccomp");
         syscall(SYS_execveat, 5, "", arguments.data(), environment.data(), AT_EMPTY_PATH);
-        fail(not_executable);
+        fail(errno == ENOMEM ? no_room : "execveat");
     } catch (const std::exception& e) {
         fail(e.what());
     }

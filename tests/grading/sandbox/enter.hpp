@@ -14,7 +14,7 @@ struct ChildEnds {
 [[noreturn]] void enter(const Program& program, const Confinement& confinement,
                         const ChildEnds& ends, pid_t parent);
 
-// What trouble says where everything but the program itself was in order.
-inline constexpr const char* not_executable = "execveat";
+// What trouble says where the program itself is too large.
+inline constexpr const char* no_room = "no room";
 
 }  // namespace glint::grading

@@ -48,6 +48,7 @@ std::vector<Student> students_of(const ClassOrder& c) {
         }
     }
     std::vector<Student> students;
+    students.reserve(all.size());
     for (const auto& [name, path] : all) {
         students.push_back({name, path});
     }

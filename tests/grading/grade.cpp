@@ -113,40 +113,50 @@ int doctor() {
     return is_protected(all) ? 0 : 1;
 }
 
+void declare(CLI::App& app, Options& o) {
+    app.require_subcommand(1);
+    CLI::App* one = app.add_subcommand("one", "Grades a header, or a folder with some");
+    one->add_option("submission", o.submission,
+                    "file, folder or zip archive; this tree if left out");
+    one->add_option("--student", o.c.order.student, "whose hidden cases");
+    one->add_option("--metadata", o.metadata,
+                    "Gradescope's submission_metadata.json, which names the student");
+    add_common(*one, o);
+    for (const auto& form : forms) {
+        one->add_option("--" + form.first, o.files[form.first],
+                        "file to write this form of the report to; - is standard output");
+    }
+    CLI::App* all = app.add_subcommand("class", "Grades a folder of students");
+    all->add_option("folder", o.c.folder, "a folder or archive for each student")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    all->add_option("--out", o.c.out, "folder for reports and grades.csv")->required();
+    all->add_option("--roster", o.c.roster, "CSV, the first column names students");
+    all->add_option("--jobs", o.c.jobs, "students at a time")->check(CLI::Range(1, 256));
+    all->add_option("--part", o.part, "I/N: only every Nth student, from the Ith");
+    add_common(*all, o);
+    app.add_subcommand("doctor", "Says which protections this machine has");
+}
+
+int run(int argc, char** argv) {
+    Options o;
+    o.c.order.assignment = "course";
+    CLI::App app("Grades what students hand in", "grade");
+    declare(app, o);
+    CLI11_PARSE(app, argc, argv);
+    finish(o);
+    return app.got_subcommand("one")     ? one(o)
+           : app.got_subcommand("class") ? whole_class(o)
+                                         : doctor();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     prctl(PR_SET_DUMPABLE, 0);  // nobody of this user reads this process's memory
     umask(022);
-    Options o;
-    o.c.order.assignment = "course";
-    CLI::App app("Grades what students hand in");
-    app.require_subcommand(1);
-    CLI::App* one_command = app.add_subcommand("one", "Grades a header, or a folder with some");
-    one_command->add_option("submission", o.submission,
-                            "file, folder or zip archive; this tree if left out");
-    one_command->add_option("--student", o.c.order.student, "whose hidden cases");
-    one_command->add_option("--metadata", o.metadata,
-                            "Gradescope's submission_metadata.json, which names the student");
-    add_common(*one_command, o);
-    for (const auto& form : forms) {
-        one_command->add_option("--" + form.first, o.files[form.first],
-                                "file to write this form of the report to; - is standard output");
-    }
-    CLI::App* class_command = app.add_subcommand("class", "Grades a folder of students");
-    class_command->add_option("folder", o.c.folder, "a folder or archive for each student")
-        ->required()
-        ->check(CLI::ExistingDirectory);
-    class_command->add_option("--out", o.c.out, "folder for reports and grades.csv")->required();
-    class_command->add_option("--roster", o.c.roster, "CSV, the first column names students");
-    class_command->add_option("--jobs", o.c.jobs, "students at a time")->check(CLI::Range(1, 256));
-    class_command->add_option("--part", o.part, "I/N: only every Nth student, from the Ith");
-    add_common(*class_command, o);
-    app.add_subcommand("doctor", "Says which protections this machine has");
-    CLI11_PARSE(app, argc, argv);
     try {
-        finish(o);
-        return one_command->parsed() ? one(o) : class_command->parsed() ? whole_class(o) : doctor();
+        return run(argc, argv);
     } catch (const std::exception& e) {
         std::cerr << "error: " << e.what() << '\n';
         return 2;

@@ -1,5 +1,6 @@
 #include "tests/grading/grade_lesson.hpp"
 
+#include "tests/grading/archive.hpp"
 #include "tests/grading/workshop.hpp"
 
 namespace glint::grading {
@@ -20,7 +21,7 @@ LessonResult grade_text(const Lesson& lesson, const std::string& text,
         if (timeouts == most_timeouts) {
             return Answered{Verdict::timeout, {}, "not asked any more", 0};
         }
-        const Answered a = workshop.ask(task, batch);
+        Answered a = workshop.ask(task, batch);
         timeouts += a.verdict == Verdict::timeout ? 1 : 0;
         return a;
     });
@@ -43,10 +44,13 @@ LessonResult grade_lesson(const Lesson& lesson, const Intake& submitted,
 Intake find_header(const std::filesystem::path& submission, const Lesson& lesson) {
     namespace fs = std::filesystem;
     if (submission.filename() == lesson.header) {
-        const Intake taken = take_in(submission, "");
+        Intake taken = take_in(submission, "");
         if (taken.text || !fs::is_directory(fs::symlink_status(submission))) {
             return taken;
         }
+    }
+    if (submission.extension() == ".zip") {
+        return take_from_archive(submission, lesson.header);
     }
     const Intake flat = take_in(submission, lesson.header);
     return flat.text || !flat.objection.empty()

@@ -11,8 +11,8 @@ namespace glint::grading {
 LessonResult grade_lesson(const Lesson& lesson, const Intake& submitted,
                           const std::filesystem::path& root);
 
-// The header of a lesson in what was handed in: the file itself, a file in a folder, or one in a
-// tree as Glint's.
+// The header of a lesson in what was handed in: the file itself, a file in a folder, one in a tree
+// as Glint's.
 Intake find_header(const std::filesystem::path& submission, const Lesson& lesson);
 
 }  // namespace glint::grading

@@ -62,7 +62,7 @@ Intake take_in(const std::filesystem::path& folder, const std::filesystem::path&
                       : errno == ELOOP                    ? "a link"
                                                           : "cannot be read");
     }
-    const Intake taken = read_file(at);
+    Intake taken = read_file(at);
     close(at);
     return taken;
 }

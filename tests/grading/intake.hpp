@@ -12,7 +12,7 @@ struct Intake {
     std::string objection;  // why there is none; empty where there is no such file
 };
 
-inline constexpr std::size_t largest_submission = 256 * 1024;
+inline constexpr std::size_t largest_submission = std::size_t{256} * 1024;
 
 // The file at a path below the folder, or the folder itself where that is empty. No part of the
 // path may be a link.

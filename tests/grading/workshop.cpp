@@ -21,19 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr std::size_t kB = 1024;
-constexpr std::size_t MB = 1024 * kB;
+constexpr std::size_t KB = 1024;
+constexpr std::size_t MB = 1024 * KB;
 
-constexpr Limits compile_limits{10s, 30s, 2048 * MB, 64 * MB, 16 * MB, 0, 64 * kB};
-constexpr Limits run_limits{2s, 6s, 512 * MB, 8 * MB, 0, 16 * MB, 256 * kB};
-
-fs::path new_folder() {
-    std::string name = (fs::temp_directory_path() / "glint_grade_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder can be made");
-    }
-    return name;
-}
+constexpr Limits compile_limits{10s, 30s, 2048 * MB, 64 * MB, 16 * MB, 0, 64 * KB};
+constexpr Limits run_limits{2s, 6s, 512 * MB, 8 * MB, 0, 16 * MB, 256 * KB};
 
 void copy_headers(const fs::path& root, const fs::path& folder, const fs::path& to) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
@@ -86,14 +78,15 @@ std::string first_errors(const std::string& diagnostics) {
     for (std::string line; std::getline(lines, line);) {
         if (has(line, {"error", "undefined reference", "multiple definition"})) {
             for (const std::string_view ours : {"../student/", "../include/"}) {
-                for (std::size_t at; (at = line.find(ours)) != std::string::npos;) {
+                for (std::size_t at = line.find(ours); at != std::string::npos;
+                     at = line.find(ours, at)) {
                     line.erase(at, ours.size());
                 }
             }
             errors += line + '\n';
         }
     }
-    return printable(errors, 2 * kB);
+    return printable(errors, 2 * KB);
 }
 
 Compiled failed_compilation(const Ended& e, Verdict otherwise) {
@@ -155,7 +148,7 @@ void put(std::string& to, const void* from, std::size_t size) {
 std::vector<std::size_t> order_of(const Batch& batch, int order) {
     std::vector<std::size_t> rows(batch.rows());
     std::iota(rows.begin(), rows.end(), 0);
-    std::uint32_t seed = static_cast<std::uint32_t>(order);
+    auto seed = static_cast<std::uint32_t>(order);
     for (const double x : batch.questions) {
         seed = seed * 16777619U ^ static_cast<std::uint32_t>(std::hash<double>()(x));
     }
@@ -173,7 +166,7 @@ bool same(double a, double b) {
 }  // namespace
 
 Workshop::Workshop(const Lesson& lesson, const std::string& text, const fs::path& root)
-    : lesson_{lesson.name, lesson.header, {}}, folder_(new_folder()) {
+    : lesson_{lesson.name, lesson.header, {}}, folder_(home_.path()) {
     const fs::path include = folder_ / "include";
     copy_headers(root, "framework", include);
     copy_headers(root, "tests/grading/runner", include);
@@ -190,17 +183,11 @@ Workshop::Workshop(const Lesson& lesson, const std::string& text, const fs::path
     write_text(folder_ / "student/answers.cpp", answers_source(lesson));
     fs::copy_file(GLINT_RUNNER, folder_ / "runner.o");
     fs::create_directory(folder_ / "work");
-    fs::permissions(folder_, fs::perms(0711));
     if (const auto user = nobodys_user()) {
         if (chown((folder_ / "work").c_str(), *user, *user) != 0) {
             throw std::runtime_error("the work folder cannot be given away");
         }
     }
-}
-
-Workshop::~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
 }
 
 Compiled Workshop::compile() {
@@ -233,7 +220,7 @@ Answered Workshop::ask(int task, const Batch& batch) {
     if (first.verdict != Verdict::ok) {
         return first;
     }
-    const Answered second = ask_once(task, batch, 2);
+    Answered second = ask_once(task, batch, 2);
     if (second.verdict != Verdict::ok) {
         return second;
     }

@@ -3,6 +3,7 @@
 
 #include "tests/grading/case.hpp"
 #include "tests/grading/score.hpp"
+#include "tests/grading/temporary.hpp"
 
 #include <filesystem>
 
@@ -18,9 +19,6 @@ class Workshop {
     // Lays the text over the lessons before it: what the header may include is copied from root,
     // all of the framework and the earlier lessons.
     Workshop(const Lesson& lesson, const std::string& text, const std::filesystem::path& root);
-    ~Workshop();
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
 
     Compiled compile();
 
@@ -33,6 +31,7 @@ class Workshop {
     Answered ask_once(int task, const Batch& batch, int order);
 
     Lesson lesson_;
+    TemporaryFolder home_;
     std::filesystem::path folder_;
 };
 

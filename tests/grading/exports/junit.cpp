@@ -32,10 +32,11 @@ std::string counts_of(const LessonResult& lesson) {
 
 void write_case(std::ostream& out, const LessonResult& lesson, const TaskResult& task,
                 const CaseResult& c) {
-    out << "    <testcase classname=\"" << escaped(lesson.lesson) << '.' << task.id << "\" name=\""
-        << escaped(c.name) << "\" time=\"" << (c.hidden ? 0 : c.seconds) << "\">\n"
-        << "      <properties><property name=\"points\" value=\"" << points_text(c.earned)
-        << "\"/><property name=\"max_points\" value=\"" << points_text(c.points)
+    out << R"(    <testcase classname=")" << escaped(lesson.lesson) << '.' << task.id
+        << R"(" name=")" << escaped(c.name) << R"(" time=")" << (c.hidden ? 0 : c.seconds)
+        << "\">\n"
+        << R"(      <properties><property name="points" value=")" << points_text(c.earned)
+        << R"("/><property name="max_points" value=")" << points_text(c.points)
         << "\"/></properties>\n";
     if (c.verdict != Verdict::ok) {
         const std::string tag = c.verdict == Verdict::skipped ? "skipped"

@@ -126,7 +126,7 @@ class Maker {
     // answer changes by when a question does by a unit; constants may be floats among doubles.
     Numbers tolerances(const Numbers& truth) const {
         if (w_.task.value("exact", false)) {
-            return Numbers(truth.size(), 0.0);
+            return Numbers(truth.size());
         }
         const double unit = (single_ ? 100 : 1) * 0x1p-23;
         const Answer answer = w_.variants.front().as_double;

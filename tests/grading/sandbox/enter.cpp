@@ -97,6 +97,7 @@ void become(uid_t user) {
 
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
     std::vector<char*> all;
+    all.reserve(words.size() + 1);
     for (std::string& word : words) {
         all.push_back(word.data());
     }

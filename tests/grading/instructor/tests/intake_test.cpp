@@ -1,10 +1,12 @@
 #include "tests/grading/intake.hpp"
 
+#include "tests/grading/archive.hpp"
 #include "tests/grading/plain_text.hpp"
 #include "tests/grading/text_file.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -71,12 +73,40 @@ TEST_CASE("links, devices, pipes, folders, large and binary files are refused") 
     CHECK(objection(f.path, "latin") == "not a text in UTF-8");
 }
 
+TEST_CASE("a header is taken out of an archive, and nothing else is") {
+    if (std::system("command -v zip >/dev/null && command -v unzip >/dev/null") != 0) {
+        return;
+    }
+    const Folder f;
+    const auto zip = [&](const std::string& name, const std::string& members) {
+        const std::string command = "cd " + f.path.string() + " && zip -q " + name + ' ' + members;
+        REQUIRE(std::system(command.c_str()) == 0);
+        return take_from_archive(f.path / name, "a.hpp");
+    };
+    write_text(f.path / "sub/a.hpp", "int x;\n");
+    write_text(f.path / "b.hpp", "int y;\n");
+    CHECK(zip("one.zip", "sub/a.hpp b.hpp").text == "int x;\n");
+    CHECK(zip("none.zip", "b.hpp").objection.empty());
+    write_text(f.path / "a.hpp", "int z;\n");
+    CHECK(zip("two.zip", "a.hpp sub/a.hpp").objection.starts_with("more than one"));
+    write_text(f.path / "a.hpp", std::string(std::size_t{1} << 26, ' '));
+    CHECK(zip("bomb.zip", "a.hpp").objection == "larger than 256 kB");
+    fs::remove(f.path / "a.hpp");
+    fs::create_symlink("/etc/passwd", f.path / "a.hpp");
+    CHECK(zip("link.zip", "-y a.hpp").text == "/etc/passwd");  // the link's own text
+    write_text(f.path / "broken.zip", "PK");
+    CHECK(take_from_archive(f.path / "broken.zip", "a.hpp").objection ==
+          "an archive that cannot be read");
+    fs::create_symlink(f.path / "one.zip", f.path / "link");
+    CHECK(take_from_archive(f.path / "link", "a.hpp").objection.starts_with("no archive"));
+}
+
 TEST_CASE("words of strangers are made printable") {
     CHECK(printable("plain\n\ttext \xc3\xa4 \xe2\x82\xac", 100) ==
           "plain\n\ttext \xc3\xa4 \xe2\x82\xac");
     CHECK(printable("\x1b[31m\a\x7f\r", 100) == "?[31m???");
     CHECK(printable("\xc2\x9b"
-                    "31m \xe2\x80\xae"
+                    "31m \xe2\x81\xa6"
                     "x",
                     100) == "?31m ?x");
     CHECK(printable("\xff\xc0\x80\xed\xa0\x80", 100) == "??????");

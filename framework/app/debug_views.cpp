@@ -86,8 +86,7 @@ SrgbImage count_picture(const Image<float>& count) {
 }
 
 Image<float> triangles_by_tile(const Mesh& mesh, const View& view, const Settings& settings) {
-    VertexBuffer vertices;
-    vertices.resize(mesh.positions.size());
+    VertexBuffer vertices(mesh.positions.size());
     transform(mesh.positions, view, settings.lanes, 0, mesh.positions.size(), vertices);
     TileBins bins;
     bins.fill(mesh, view, settings, vertices, 0, static_cast<std::uint32_t>(mesh.triangles.size()));

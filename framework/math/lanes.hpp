@@ -5,10 +5,12 @@
 
 #include "framework/math/lane_types.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 namespace glint {
@@ -94,6 +96,29 @@ Float<N> abs(Float<N> a) {
     return xsimd::abs(a.v);
 }
 
+// 1/sqrt(a) of normal a > 0, and 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the
+// last place. Some processors give NaN where a is 0 or infinite.
+template <int N>
+Float<N> inverse_sqrt(Float<N> a) {
+    return simd::inverse_sqrt(a.v);
+}
+template <int N>
+Float<N> reciprocal(Float<N> a) {
+    return simd::reciprocal(a.v);
+}
+inline float inverse_sqrt(float a) {
+    return simd::inverse_sqrt(a);
+}
+inline float reciprocal(float a) {
+    return simd::reciprocal(a);
+}
+inline double inverse_sqrt(double a) {
+    return 1.0 / std::sqrt(a);
+}
+inline double reciprocal(double a) {
+    return 1.0 / a;
+}
+
 // a*b + c; of floats rounded once where the processor can, else twice, on one lane as on many.
 template <int N>
 Float<N> fma(Float<N> a, std::type_identity_t<Float<N>> b, std::type_identity_t<Float<N>> c) {
@@ -104,6 +129,15 @@ inline float fma(float a, float b, float c) {
 }
 inline double fma(double a, double b, double c) {
     return std::fma(a, b, c);
+}
+
+// a 2^k, rounded once, for 1/2 <= a < 2 and whole k from -151 to 128.
+template <int N>
+Float<N> scale(Float<N> a, Float<N> k) {
+    return simd::scale(a.v, k.v);
+}
+inline float scale(float a, float k) {
+    return simd::scale(a, k);
 }
 
 // ---- conversions ---------------------------------------------------------------------------
@@ -209,6 +243,39 @@ Float<N> lookup16(const float* table, Int<N> index) {
 }
 inline float lookup16(const float* table, std::int32_t index) {
     return table[index & 15];
+}
+
+template <int N>
+float first_lane(Float<N> a) {
+    return a.v.get(0);
+}
+template <class T>
+requires std::is_floating_point_v<T> T first_lane(T a) {
+    return a;
+}
+
+// Four numbers from each of N places: column k holds row[i][k] in lane i. Much faster than four
+// gathers; the bits may be those of ints.
+template <class T>
+using Rows = std::array<T, 4>;
+template <class T>
+requires is_lanes<T> Rows<T> load_rows(const float* const* row) {
+    const auto columns = simd::load_rows<simd::Floats<lanes_of<T>>>(row);
+    return {columns[0], columns[1], columns[2], columns[3]};
+}
+template <class T>
+requires std::same_as<T, float> Rows<T> load_rows(const float* const* row) {
+    Rows<T> columns;
+    std::memcpy(columns.data(), *row, sizeof columns);
+    return columns;
+}
+// And back: row i goes to to[4 i] and on.
+template <int N>
+void store_rows(float* to, const Rows<Float<N>>& columns) {
+    simd::store_rows<simd::Floats<N>>(to, {columns[0].v, columns[1].v, columns[2].v, columns[3].v});
+}
+inline void store_rows(float* to, const Rows<float>& columns) {
+    std::memcpy(to, columns.data(), sizeof columns);
 }
 
 // ---- lanes as bits -------------------------------------------------------------------------

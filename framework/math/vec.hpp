@@ -135,6 +135,12 @@ glm::vec<L, T> max(const glm::vec<L, T>& a, const glm::vec<L, T>& b) {
     return r;
 }
 
+// As GLM's, which asks for a root and a quotient: v scaled to length 1, NaN where v is zero.
+template <int L, Real T>
+glm::vec<L, T> normalize(const glm::vec<L, T>& v) {
+    return v * inverse_sqrt(dot(v, v));
+}
+
 // v scaled to length 1; fallback where v is zero, not finite, or so short or long that the square
 // of its length leaves the range of T.
 template <Real T>
@@ -143,7 +149,7 @@ Vec3<T> normalize_or(const Vec3<T>& v, const Vec3<T>& fallback) {
     constexpr auto most = std::numeric_limits<T>::max();
     const T square = dot(v, v);
     const MaskOf<T> usable = (square >= T(least)) & (square <= T(most));
-    const T scale = T(1.0F) / sqrt(select(usable, square, T(1.0F)));
+    const T scale = inverse_sqrt(select(usable, square, T(1.0F)));
     return select(usable, v * scale, fallback);
 }
 

@@ -7,14 +7,11 @@
 namespace glint {
 
 Assembly assemble(const Mesh& mesh, const View& view) {
-    VertexBuffer vertices;
     const std::size_t count = mesh.positions.size();
-    vertices.resize(count);
+    VertexBuffer vertices(count);
     transform(mesh.positions, view, 1, 0, count, vertices);
     Assembly all;
-    const auto placed = [&](std::uint32_t vertex) {
-        return vertices.x[vertex] != VertexBuffer::needs_clipping;
-    };
+    const auto placed = [&](std::uint32_t vertex) { return vertices[vertex].x != needs_clipping; };
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3 c = mesh.triangles[i];
         if (placed(c.x) && placed(c.y) && placed(c.z)) {

@@ -1,6 +1,7 @@
 #include "framework/raster/bins.hpp"
 
 #include "framework/raster/clip.hpp"
+#include "framework/raster/lane_vertices.hpp"
 #include "framework/geometry/mesh.hpp"
 #include "framework/math/dispatch.hpp"
 
@@ -83,16 +84,18 @@ void TileBins::assemble(const Mesh& mesh, const View& view, const VertexBuffer& 
                         std::uint32_t first) {
     using I = typename Lanes<N>::Int;
     using M = typename Lanes<N>::Mask;
-    const auto* corner = reinterpret_cast<const std::int32_t*>(&mesh.triangles[first].x);
-    const I third = iota<I>() * I(3);
     I x[3];
     I y[3];
     M clip = false;
     for (int i = 0; i < 3; ++i) {
-        const I vertex = gather(corner + i, third);
-        x[i] = gather(vertices.x.data(), vertex);
-        y[i] = gather(vertices.y.data(), vertex);
-        clip = clip | (x[i] == I(VertexBuffer::needs_clipping));
+        std::uint32_t vertex[N];
+        for (std::uint32_t lane = 0; lane < N; ++lane) {
+            vertex[lane] = mesh.triangles[first + lane][i];
+        }
+        const LaneVertices<N> v = load_vertices<N>(vertices, vertex);
+        x[i] = v.x;
+        y[i] = v.y;
+        clip = clip | (v.x == I(needs_clipping));
     }
     if (!any(clip)) {
         stage<N>(x, y, iota<I>() + I(static_cast<std::int32_t>(first)));

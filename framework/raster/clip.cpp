@@ -78,7 +78,7 @@ std::int32_t snap_to_band(double pixels) {
 ScreenVertex place(const Corner& c, const View& view, const VertexBuffer& vertices) {
     if (c.vertex >= 0) {
         const auto known = static_cast<std::size_t>(c.vertex);
-        if (vertices.x[known] != VertexBuffer::needs_clipping) {
+        if (vertices[known].x != needs_clipping) {
             return vertices[known];
         }
     }

@@ -38,15 +38,11 @@ class Tiles {
                  .target = {},
                  .won_a_sample = {}} {
         mesh_.triangles = {{0, 1, 2}};
-        vertices_.resize(3);
-        std::fill(vertices_.z.begin(), vertices_.z.end(), 1.0F);
-        std::fill(vertices_.inverse_w.begin(), vertices_.inverse_w.end(), 1.0F);
     }
 
     void draw(const Corners& corners, int index, const CoverageSink& sink) {
         for (std::size_t i = 0; i < 3; ++i) {
-            vertices_.x[i] = corners[i].x;
-            vertices_.y[i] = corners[i].y;
+            vertices_[i] = {.x = corners[i].x, .y = corners[i].y, .z = 1.0F, .inverse_w = 1.0F};
         }
         bins_.fill(mesh_, frame_.view, frame_.settings, vertices_, 0, 1);
         for (std::size_t tile = 0; tile < frame_.grid.tiles(); ++tile) {
@@ -78,7 +74,7 @@ class Tiles {
     }
 
     Mesh mesh_;
-    VertexBuffer vertices_;
+    VertexBuffer vertices_{3};
     TileBins bins_;
     TileBuffer buffer_;
     Frame frame_;

@@ -55,15 +55,16 @@ Barycentrics<T> barycentrics(const ScreenTriangle& triangle, const Edges& edges,
     return b;
 }
 
-// out[k * stride]: varying k. T is float or double.
+// out[k * stride]: varying k, relative to corner 0: what small triangles vary little in is rounded
+// little. T is float or double.
 template <class T>
 void interpolate(const CornerVaryings& corners, int count, const std::array<T, 3>& weight, T* out,
                  int stride) {
     for (int k = 0; k < count; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        out[k * stride] = weight[0] * static_cast<T>(corners[0][at]) +
-                          weight[1] * static_cast<T>(corners[1][at]) +
-                          weight[2] * static_cast<T>(corners[2][at]);
+        const auto first = static_cast<T>(corners[0][at]);
+        out[k * stride] = first + (weight[1] * (static_cast<T>(corners[1][at]) - first) +
+                                   weight[2] * (static_cast<T>(corners[2][at]) - first));
     }
 }
 

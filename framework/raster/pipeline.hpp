@@ -71,19 +71,8 @@ struct ScreenVertex {
 
 // (1) All vertices of a mesh in window space. Those outside the near plane or the guard band, or
 // not finite, have no place there: their x is needs_clipping.
-struct VertexBuffer {
-    static constexpr std::int32_t needs_clipping = INT32_MIN;
-    std::vector<std::int32_t> x, y;
-    std::vector<float> z, inverse_w;
-
-    void resize(std::size_t count) {
-        x.resize(count);
-        y.resize(count);
-        z.resize(count);
-        inverse_w.resize(count);
-    }
-    ScreenVertex operator[](std::size_t i) const { return {x[i], y[i], z[i], inverse_w[i]}; }
-};
+using VertexBuffer = std::vector<ScreenVertex>;
+inline constexpr std::int32_t needs_clipping = INT32_MIN;
 
 // (2) A triangle whose vertices all have a place in window space: one of the mesh, or a piece of
 // one that was clipped. Then corner i is at barycentric[i] of the mesh's triangle.

@@ -131,8 +131,9 @@ void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices,
     }
 }
 
+// Flattened: what the shader calls is part of this loop, or its registers would go through memory.
 template <class S, class T, class Scalar>
-void shade(const void* shader, const Scalar* in, int stride, int n, Scalar* out) {
+[[gnu::flatten]] void shade(const void* shader, const Scalar* in, int stride, int n, Scalar* out) {
     const S& s = *static_cast<const S*>(shader);
     for (int i = 0; i < n; i += lanes_of<T>) {
         const Rgb<T> colour = s(gather_varyings<S, T>(in + i, stride));

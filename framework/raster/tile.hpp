@@ -7,6 +7,7 @@
 #include "framework/raster/bins.hpp"
 #include "framework/raster/pipeline.hpp"
 #include "framework/raster/shader.hpp"
+#include "framework/image/srgb.hpp"
 
 #include <array>
 #include <cstddef>
@@ -71,8 +72,8 @@ struct TileBuffer {
     std::vector<std::int32_t> fragment_pixel, fragment_triangle;
     std::vector<float> fragment_x, fragment_y, fragment_share;
 
-    // By triangle: where its planes begin, or -1. See tile_planes.hpp.
-    std::vector<std::int32_t> plane_start;
+    // The triangles that own fragments; by triangle, where its planes begin. See tile_planes.hpp.
+    std::vector<std::int32_t> owners, plane_start;
     std::vector<float> planes;
 
     // The fragments are sorted by shader: where each shader's end; and scratch for sorting.
@@ -81,11 +82,27 @@ struct TileBuffer {
     std::vector<float> sorted_floats;
 
     std::vector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
-    std::array<std::vector<float>, 3> colour;  // red, green, blue by pixel
+    std::array<std::vector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
+    std::vector<std::int32_t> codes;           // sRGB by pixel, as Rgba8 lies in memory
 
     std::int64_t fragments_shaded = 0;
     double visibility_seconds = 0, shading_seconds = 0, output_seconds = 0;
 };
+
+// With one sample a pixel, and no linear picture to write, colours are encoded as they come from
+// the shader: less memory is touched.
+inline bool keeps_colour(const Frame& frame) {
+    return frame.target.linear != nullptr || frame.settings.samples > 1;
+}
+
+// Linear colour as Rgba8, opaque. T is float or lanes.
+template <class T>
+IntOf<T> opaque_code(T r, T g, T b) {
+    using I = IntOf<T>;
+    static_assert(std::endian::native == std::endian::little);
+    return srgb_code(r) | (srgb_code(g) << 8) | (srgb_code(b) << 16) |
+           I(static_cast<std::int32_t>(0xFF000000U));
+}
 
 inline std::uint32_t source_of(const Frame& frame, TileTriangle t) {
     return (t.ref & piece_bit) != 0 ? frame.chunks[t.chunk].piece(t.ref).source : t.ref;
@@ -115,11 +132,11 @@ bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer);
 // Lists the fragments of what find_visible() found, sorted by shader.
 void list_fragments(const Frame& frame, TileBuffer& buffer);
 
-// Shades them into buffer.colour.
+// Shades them into buffer.colour or buffer.codes.
 void shade_tile(const Frame& frame, TileBuffer& buffer);
 
 // Writes the tile into the target's pictures.
-void write_tile(const Frame& frame, const TileBuffer& buffer);
+void write_tile(const Frame& frame, TileBuffer& buffer);
 void write_empty_tile(const Frame& frame, int x, int y);
 
 }  // namespace glint

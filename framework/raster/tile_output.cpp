@@ -1,17 +1,14 @@
 // Stage 5 of the tile rasterizer: a tile into the target's pictures.
 #include "framework/raster/tile.hpp"
-#include "framework/image/srgb.hpp"
 #include "framework/math/dispatch.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 
 namespace glint {
 namespace {
-
-Rgba8 encode(const Rgb<float>& c) {
-    return {linear_to_srgb(c.r), linear_to_srgb(c.g), linear_to_srgb(c.b), 255};
-}
 
 // The part of a tile that lies inside the window.
 struct Extent {
@@ -21,40 +18,31 @@ Extent extent(const Frame& frame, int x, int y) {
     return {std::min(tile_size, frame.view.width - x), std::min(tile_size, frame.view.height - y)};
 }
 
-// Encodes a band of four rows, block by block, into codes row by row.
-template <int N>
-void encode_band(const TileBuffer& tile, int band,
-                 std::array<std::uint32_t, 4 * tile_size>& codes) {
-    using T = typename Lanes<N>::Float;
-    using I = typename Lanes<N>::Int;
-    for (int block = 0; block < tile_blocks; ++block) {
-        alignas(64) std::int32_t of_block[block_pixels];
-        const std::size_t first = pixel_place(block * block_size, band * block_size);
-        for (std::size_t i = 0; i < block_pixels; i += N) {
-            const I r = srgb_code(load<T>(&tile.colour[0][first + i]));
-            const I g = srgb_code(load<T>(&tile.colour[1][first + i]));
-            const I b = srgb_code(load<T>(&tile.colour[2][first + i]));
-            store(of_block + i, r | (g << 8) | (b << 16) | I(static_cast<int>(0xFF000000U)));
+void encode(const Frame& frame, TileBuffer& tile) {
+    tile.codes.resize(tile_pixels);
+    with_lanes(frame.settings.lanes, [&]<int N>() {
+        using T = typename Lanes<N>::Float;
+        for (std::size_t i = 0; i < tile_pixels; i += N) {
+            store(&tile.codes[i],
+                  opaque_code(load<T>(&tile.colour[0][i]), load<T>(&tile.colour[1][i]),
+                              load<T>(&tile.colour[2][i])));
         }
-        for (std::size_t row = 0; row < block_size; ++row) {
-            std::memcpy(&codes[row * tile_size + static_cast<std::size_t>(block) * block_size],
-                        of_block + row * block_size, block_size * sizeof(std::int32_t));
-        }
-    }
+    });
 }
 
-template <int N>
-void write_srgb(const Frame& frame, const TileBuffer& tile) {
-    static_assert(sizeof(Rgba8) == 4);
+// Four pixels of a block lie side by side in the tile as in the picture.
+void write_codes(const Frame& frame, const TileBuffer& tile) {
+    static_assert(sizeof(Rgba8) == sizeof(tile.codes[0]));
     const auto [columns, rows] = extent(frame, tile.x, tile.y);
-    std::array<std::uint32_t, 4 * tile_size> codes;
     for (int y = 0; y < rows; ++y) {
-        if (y % block_size == 0) {
-            encode_band<N>(tile, y / block_size, codes);
+        Rgba8* out = &(*frame.target.srgb)(tile.x, tile.y + y);
+        int x = 0;
+        for (; x + block_size <= columns; x += block_size) {
+            std::memcpy(out + x, &tile.codes[pixel_place(x, y)], block_size * sizeof(Rgba8));
         }
-        std::memcpy(&(*frame.target.srgb)(tile.x, tile.y + y),
-                    &codes[static_cast<std::size_t>(y % block_size) * tile_size],
-                    static_cast<std::size_t>(columns) * sizeof(Rgba8));
+        for (; x < columns; ++x) {
+            std::memcpy(out + x, &tile.codes[pixel_place(x, y)], sizeof(Rgba8));
+        }
     }
 }
 
@@ -78,16 +66,21 @@ void fill(const Frame& frame, int x, int y, Image<Pixel>* image, const Pixel& va
         return;
     }
     const auto [columns, rows] = extent(frame, x, y);
+    std::array<Pixel, tile_size> line;  // copied faster than filled
+    line.fill(value);
     for (int row = 0; row < rows; ++row) {
-        std::fill_n(&(*image)(x, y + row), columns, value);
+        std::copy_n(line.data(), columns, &(*image)(x, y + row));
     }
 }
 
 }  // namespace
 
-void write_tile(const Frame& frame, const TileBuffer& tile) {
+void write_tile(const Frame& frame, TileBuffer& tile) {
     if (frame.target.srgb != nullptr) {
-        with_lanes(frame.settings.lanes, [&]<int N>() { write_srgb<N>(frame, tile); });
+        if (keeps_colour(frame)) {
+            encode(frame, tile);
+        }
+        write_codes(frame, tile);
     }
     write(frame, tile, frame.target.linear, [&](std::size_t at) {
         return Rgb<float>(tile.colour[0][at], tile.colour[1][at], tile.colour[2][at]);
@@ -103,7 +96,8 @@ void write_tile(const Frame& frame, const TileBuffer& tile) {
 
 void write_empty_tile(const Frame& frame, int x, int y) {
     const Target& target = frame.target;
-    fill(frame, x, y, target.srgb, encode(target.background));
+    const Rgb<float>& c = target.background;
+    fill(frame, x, y, target.srgb, std::bit_cast<Rgba8>(opaque_code(c.r, c.g, c.b)));
     fill(frame, x, y, target.linear, target.background);
     fill(frame, x, y, target.depth, 0.0F);
     fill(frame, x, y, target.triangle, no_triangle);

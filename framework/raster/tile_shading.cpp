@@ -23,6 +23,7 @@ class TileShading {
         : frame_(frame), tile_(tile), multisampled_(frame.settings.samples > 1) {}
 
     void run() {
+        const FlushSubnormals flush;
         fill_background();
         std::size_t begin = 0;
         for (std::size_t s = 0; s < frame_.shaders.size(); ++s) {
@@ -41,22 +42,24 @@ class TileShading {
         float* in = tile_.varyings.data();
         float* out = tile_.radiance.data();
         for (std::size_t i = 0; i < n; i += N) {
-            interpolate_packet(begin + i, std::min<std::size_t>(N, n - i), shader.varyings, in + i);
+            interpolate(begin + i, std::min<std::size_t>(N, n - i), shader.varyings, in + i);
         }
         const auto call = N == 16  ? shader.shade_16
                           : N == 8 ? shader.shade_8
                           : N == 4 ? shader.shade_4
                                    : shader.shade_1;
         call(shader.shader, in, batch, static_cast<int>(n), out);
-        if (!multisampled_) {
-            put(begin, n, out);
-        } else {
+        if (multisampled_) {
             accumulate(begin, n, out);
+        } else if (keeps_colour(frame_)) {
+            put_colours(begin, n, out);
+        } else {
+            put_codes(begin, n, out);
         }
     }
 
     // The varyings of up to N fragments; lanes beyond repeat the last.
-    void interpolate_packet(std::size_t begin, std::size_t n, int varyings, float* out) {
+    void interpolate(std::size_t begin, std::size_t n, int varyings, float* out) const {
         const I pixel = load_padded<I>(&tile_.fragment_pixel[begin], n);
         T x = to_float(pixel_column(pixel)) + T(0.5F);
         T y = to_float(pixel_row(pixel)) + T(0.5F);
@@ -64,24 +67,46 @@ class TileShading {
             x += load_padded<T>(&tile_.fragment_x[begin], n);
             y += load_padded<T>(&tile_.fragment_y[begin], n);
         }
+        const std::int32_t* triangle = &tile_.fragment_triangle[begin];
+        const I triangles = load_padded<I>(triangle, n);
+        if (all(triangles == I(triangle[0]))) {
+            interpolate_within(planes_of<N>(tile_, triangle[0], varyings), x, y, out);
+        } else {
+            interpolate_across(triangles, triangle, (1U << n) - 1, varyings, x, y, out);
+        }
+    }
+
+    // All of one triangle.
+    static void interpolate_within(const Planes<N>& p, T x, T y, float* out) {
+        x -= T(p.x());
+        y -= T(p.y());
+        const T w = reciprocal(T(p.s(0)) + T(p.s(1)) * x + T(p.s(2)) * y);
+        for (int k = 0; k < p.count; ++k) {
+            const T d = T(p.d(0, k)) + T(p.d(1, k)) * x + T(p.d(2, k)) * y;
+            store(out + k * batch, T(p.first(k)) + d * w);
+        }
+    }
+
+    // Of several triangles: one round for each.
+    void interpolate_across(I triangles, const std::int32_t* triangle, std::uint32_t left,
+                            int varyings, T x, T y, float* out) const {
         T s(1.0F);
         T first[max_varyings];
         T d[max_varyings];
-        const std::int32_t* triangle = &tile_.fragment_triangle[begin];
-        const I triangles = load_padded<I>(triangle, n);
-        // One round for each distinct triangle of the packet.
-        for (std::uint32_t left = (1U << n) - 1; left != 0;) {
+        while (left != 0) {
             const std::int32_t t = triangle[std::countr_zero(left)];
             const M mine = triangles == I(t);
-            const Planes p = planes_of(tile_, t, varyings);
-            s = select(mine, T(p.s(0)) + T(p.s(1)) * x + T(p.s(2)) * y, s);
+            const Planes<N> p = planes_of<N>(tile_, t, varyings);
+            const T px = x - T(p.x());
+            const T py = y - T(p.y());
+            s = select(mine, T(p.s(0)) + T(p.s(1)) * px + T(p.s(2)) * py, s);
             for (int k = 0; k < varyings; ++k) {
-                first[k] = select(mine, T(p.first()[k]), first[k]);
-                d[k] = select(mine, T(p.d(0)[k]) + T(p.d(1)[k]) * x + T(p.d(2)[k]) * y, d[k]);
+                first[k] = select(mine, T(p.first(k)), first[k]);
+                d[k] = select(mine, T(p.d(0, k)) + T(p.d(1, k)) * px + T(p.d(2, k)) * py, d[k]);
             }
             left &= ~lane_bits(mine);
         }
-        const T w = T(1.0F) / s;
+        const T w = reciprocal(s);
         for (int k = 0; k < varyings; ++k) {
             store(out + k * batch, first[k] + d[k] * w);
         }
@@ -102,35 +127,54 @@ class TileShading {
     // ---- colours into the tile ----
 
     void fill_background() {
-        const bool everywhere = tile_.fragments != tile_pixels || multisampled_;
+        const Rgb<float>& background = frame_.target.background;
+        const bool everywhere = tile_.fragments == tile_pixels && !multisampled_;
+        if (!keeps_colour(frame_)) {
+            tile_.codes.resize(tile_pixels);
+            if (!everywhere) {
+                std::fill(tile_.codes.begin(), tile_.codes.end(),
+                          opaque_code(background.r, background.g, background.b));
+            }
+            return;
+        }
         for (std::size_t c = 0; c < 3; ++c) {
             tile_.colour[c].resize(tile_pixels);
             if (!everywhere) {
-                continue;
+                std::fill(tile_.colour[c].begin(), tile_.colour[c].end(),
+                          background[static_cast<int>(c)]);
             }
-            std::fill(tile_.colour[c].begin(), tile_.colour[c].end(),
-                      frame_.target.background[static_cast<int>(c)]);
         }
     }
 
-    void put(std::size_t begin, std::size_t n, const float* rgb) {
+    void put_colours(std::size_t begin, std::size_t n, const float* rgb) {
+        for (std::size_t i = 0; i < n; i += N) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                put(begin + i, std::min<std::size_t>(N, n - i), load<T>(rgb + c * batch + i),
+                    tile_.colour[c].data());
+            }
+        }
+    }
+
+    void put_codes(std::size_t begin, std::size_t n, const float* rgb) {
+        for (std::size_t i = 0; i < n; i += N) {
+            const I code = opaque_code(load<T>(rgb + i), load<T>(rgb + batch + i),
+                                       load<T>(rgb + 2 * batch + i));
+            put(begin + i, std::min<std::size_t>(N, n - i), code, tile_.codes.data());
+        }
+    }
+
+    // The values of n fragments, at most N, to their pixels.
+    template <class V, class Scalar>
+    void put(std::size_t begin, std::size_t n, const V& values, Scalar* out) const {
         const std::int32_t* pixel = &tile_.fragment_pixel[begin];
-        for (std::size_t c = 0; c < 3; ++c) {
-            float* colour = tile_.colour[c].data();
-            const float* from = rgb + c * batch;
-            std::size_t i = 0;
-            for (; i + N <= n; i += N) {
-                if (pixel[i + N - 1] - pixel[i] == N - 1) {
-                    store(colour + pixel[i], load<T>(from + i));
-                } else {
-                    for (std::size_t j = i; j < i + N; ++j) {
-                        colour[pixel[j]] = from[j];
-                    }
-                }
-            }
-            for (; i < n; ++i) {
-                colour[pixel[i]] = from[i];
-            }
+        if (n == N && pixel[N - 1] - pixel[0] == N - 1) {
+            store(out + pixel[0], values);
+            return;
+        }
+        std::array<Scalar, N> value;
+        store(value.data(), values);
+        for (std::size_t i = 0; i < n; ++i) {
+            out[pixel[i]] = value[i];
         }
     }
 

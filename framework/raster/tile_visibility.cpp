@@ -1,4 +1,5 @@
 // Stage 3 of the tile rasterizer: depth and owner of every sample of a tile.
+#include "framework/raster/lane_vertices.hpp"
 #include "framework/raster/tile.hpp"
 #include "framework/raster/tile_setup.hpp"
 #include "framework/geometry/mesh.hpp"
@@ -173,24 +174,25 @@ class TileVisibility {
 
     // Sets up the small triangles of the group; bit i says that it did lane i.
     std::uint32_t set_up_group(std::span<const TriangleRef> refs, TileSetup<N>& setup) {
-        std::array<std::int32_t, N> padded;
+        std::array<std::uint32_t, 3 * N> corner;
         for (std::size_t i = 0; i < N; ++i) {
-            padded[i] = static_cast<std::int32_t>(refs[std::min(i, refs.size() - 1)]);
+            const TriangleRef ref = refs[std::min(i, refs.size() - 1)];
+            if ((ref & piece_bit) != 0) {
+                return 0;  // pieces of clipped triangles, one by one
+            }
+            const glm::uvec3& t = frame_.mesh->triangles[ref];
+            corner[i] = t.x;
+            corner[i + N] = t.y;
+            corner[i + 2 * N] = t.z;
         }
-        const I ref = load<I>(padded.data());
-        if (any(ref < I(0))) {
-            return 0;  // pieces of clipped triangles, one by one
-        }
-        const auto* corners = reinterpret_cast<const std::int32_t*>(frame_.mesh->triangles.data());
-        const VertexBuffer& v = *frame_.vertices;
         I x[3];
         I y[3];
         T z[3];
-        for (int i = 0; i < 3; ++i) {
-            const I vertex = gather(corners + i, ref * I(3));
-            x[i] = gather(v.x.data(), vertex);
-            y[i] = gather(v.y.data(), vertex);
-            z[i] = gather(v.z.data(), vertex);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const LaneVertices<N> v = load_vertices<N>(*frame_.vertices, &corner[i * N]);
+            x[i] = v.x;
+            y[i] = v.y;
+            z[i] = v.z;
         }
         const I extent = max(max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]),
                              max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]));

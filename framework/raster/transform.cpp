@@ -1,5 +1,6 @@
 #include "framework/raster/transform.hpp"
 
+#include "framework/raster/lane_vertices.hpp"
 #include "framework/math/dispatch.hpp"
 
 namespace glint {
@@ -24,11 +25,9 @@ void transform_lanes(std::span<const glm::vec3> positions, const View& view, std
                                        gather(xyz + 1, third), gather(xyz + 2, third));
     const WindowPosition<T> window = window_position(clip, view);
     const MaskOf<T> placed = has_place(clip, window);
-    store(&out.x[i],
-          select(placed, snap(select(placed, window.x, T(0.0F))), I(VertexBuffer::needs_clipping)));
-    store(&out.y[i], snap(select(placed, window.y, T(0.0F))));
-    store(&out.z[i], window.z);
-    store(&out.inverse_w[i], window.inverse_w);
+    const I x = select(placed, snap(select(placed, window.x, T(0.0F))), I(needs_clipping));
+    const I y = snap(select(placed, window.y, T(0.0F)));
+    store_vertices<N>(&out[i], {x, y, window.z, window.inverse_w});
 }
 
 }  // namespace

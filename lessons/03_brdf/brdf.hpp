@@ -21,12 +21,12 @@ inline Rgb<float> lambert_unnormalised(const Rgb<float>& Cd) {
     // END
 }
 
-// Phong's lobe (V.R)^n; 0 where V.R is not a number or not above 0, for n = 0 as well.
+// Phong's lobe (V.R)^n; 0 where V.R is not a number or not above 0 (1e-37: pow likes no less).
 template <Real T>
 T phong_lobe(const Incidence<T>& g, const T& n) {
-    const T cosine = clamp(v_dot_r(g), T(0.0F), T(1.0F));
+    const T cosine = clamp(v_dot_r(g), T(1e-37F), T(1.0F));
     // SOLUTION 03.2
-    return select(cosine > T(0.0F), pow(cosine, n), T(0.0F));
+    return select(cosine > T(1e-37F), pow(cosine, n), T(0.0F));
     // HANDOUT
     // return min(T(0.2F) * cosine, n);  // TODO 03.2: (V.R)^n
     // END

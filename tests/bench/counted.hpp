@@ -41,10 +41,14 @@ struct Counted {
     friend Counted min(Counted a, Counted b) { return counted(glint::min(a.value, b.value)); }
     friend Counted max(Counted a, Counted b) { return counted(glint::max(a.value, b.value)); }
     friend Counted sqrt(Counted a) { return counted(std::sqrt(a.value)); }
+    friend Counted inverse_sqrt(Counted a) { return Counted(1.0F) / sqrt(a); }
     friend Counted select(bool m, Counted a, Counted b) { return counted(m ? a.value : b.value); }
     friend Counted fma(Counted a, Counted b, Counted c) {
         return counted(glint::fma(a.value, b.value, c.value), 2);
     }
+    friend Counted scale(Counted a, Counted k) { return counted(glint::scale(a.value, k.value)); }
+    friend Counted abs(Counted a) { return std::abs(a.value); }
+    friend float first_lane(Counted a) { return a.value; }
     friend std::int32_t bits_of(Counted a) { return glint::bits_of(a.value); }
     friend std::int32_t truncate_to_int(Counted a) { return glint::truncate_to_int(a.value); }
 };

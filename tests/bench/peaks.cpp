@@ -32,9 +32,10 @@ float multiply_and_add(int times) {
 }
 
 template <int N>
-void shade_rows(const BenchShader& shader, SrgbImage& picture) {
+[[gnu::flatten]] void shade_rows(const BenchShader& shader, SrgbImage& picture) {
     using T = typename Lanes<N>::Float;
     using I = typename Lanes<N>::Int;
+    const FlushSubnormals flush;
     const float step = 1.0F / static_cast<float>(picture.width());
     for (int y = 0; y < picture.height(); ++y) {
         const T row(static_cast<float>(y) * step);

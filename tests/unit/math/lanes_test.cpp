@@ -276,6 +276,44 @@ TEST_CASE_TEMPLATE("gather and lookup16 read where the index says", F, float, Fl
     }
 }
 
+TEST_CASE_TEMPLATE("inverse_sqrt and reciprocal are off by less than 2 ulp", F, float, Float4,
+                   Float8, Float16) {
+    double worst = 0;
+    for (int e = -126; e < 126; ++e) {
+        for (int i = 0; i < 200; ++i) {
+            const float x = std::ldexp(1.0F + static_cast<float>(i) / 200.0F, e);
+            const double d = static_cast<double>(x);
+            const auto root = static_cast<double>(lane(inverse_sqrt(F(x)), lanes_of<F> - 1));
+            const auto quotient = static_cast<double>(lane(reciprocal(F(x)), lanes_of<F> - 1));
+            worst = std::max(worst, std::abs(root * std::sqrt(d) - 1.0));
+            worst = std::max(worst, std::abs(quotient * d - 1.0));
+            CHECK(same(lane(inverse_sqrt(F(x)), 0), inverse_sqrt(x)));
+            CHECK(same(lane(reciprocal(F(-x)), 0), reciprocal(-x)));
+        }
+    }
+    CHECK(worst < 0x1p-23);
+}
+
+TEST_CASE_TEMPLATE("rows become columns and rows again", F, float, Float4, Float8, Float16) {
+    std::array<float, 4 * 16> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        numbers[i] = static_cast<float>(i);
+    }
+    std::array<const float*, lanes_of<F>> rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i] = &numbers[4 * (rows.size() - 1 - i)];
+    }
+    const Rows<F> columns = load_rows<F>(rows.data());
+    std::array<float, 4 * lanes_of<F>> back{};
+    store_rows(back.data(), columns);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            CHECK(lane(columns[k], static_cast<int>(i)) == rows[i][k]);
+            CHECK(back[4 * i + k] == rows[i][k]);
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("store_compressed keeps the answering lanes in order", F, float, Float4, Float8,
                    Float16) {
     using I = IntOf<F>;

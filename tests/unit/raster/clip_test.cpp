@@ -25,8 +25,7 @@ View view_from_origin(int width = 256, int height = 128) {
 }
 
 VertexBuffer transformed(const Mesh& mesh, const View& view) {
-    VertexBuffer vertices;
-    vertices.resize(mesh.positions.size());
+    VertexBuffer vertices(mesh.positions.size());
     transform(mesh.positions, view, 1, 0, mesh.positions.size(), vertices);
     return vertices;
 }

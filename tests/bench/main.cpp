@@ -2,6 +2,7 @@
 #include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/bench/against.hpp"
+#include "tests/bench/scaling.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -23,7 +24,15 @@ Examples:
   bench
   bench --against llvmpipe
   bench --against llvmpipe --scenes fill,tiny --threads 1 --rounds 50
-  bench --lanes 8 --json bench.json)";
+  bench --lanes 8 --json bench.json
+  bench --scaling)";
+
+void write_json(const std::string& path, const nlohmann::json& findings) {
+    if (!path.empty()) {
+        const std::string text = findings.dump(2) + "\n";
+        glint::write_file(path, std::as_bytes(std::span(text)));
+    }
+}
 
 int run(int argc, char** argv) {
     glint::BenchOptions options;
@@ -35,6 +44,7 @@ int run(int argc, char** argv) {
     }
     std::string peer;
     std::string json;
+    bool scaling = false;
     CLI::App app("Times Glint's tile rasterizer, alone or against llvmpipe.", "bench");
     app.add_option("--against", peer, "the peer that draws the same")
         ->check(CLI::IsMember({"llvmpipe"}));
@@ -47,6 +57,7 @@ int run(int argc, char** argv) {
     app.add_option("--lanes", options.lanes, "1, 4, 8 or 16")->check(CLI::IsMember({1, 4, 8, 16}));
     app.add_option("--rounds", options.rounds, "how often each draws")->check(CLI::Range(1, 10000));
     app.add_option("--bunny", options.bunny_file, "an OBJ file to draw as the scene bunny");
+    app.add_flag("--scaling", scaling, "how the cost grows, by pixels, triangles, lights, ...");
     app.add_option("--json", json, "write all findings to this file");
     app.footer(examples);
     try {
@@ -54,13 +65,16 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : 2;
     }
+    if (scaling) {
+        const glint::ScalingResult result = glint::run_scaling(options.rounds);
+        std::cout << glint::table(result);
+        write_json(json, to_json(result));
+        return 0;
+    }
     options.against_llvmpipe = !peer.empty();
     const glint::BenchResult result = glint::run_bench(options);
     std::cout << glint::table(result);
-    if (!json.empty()) {
-        const std::string text = to_json(result).dump(2) + "\n";
-        glint::write_file(json, std::as_bytes(std::span(text)));
-    }
+    write_json(json, to_json(result));
     return 0;
 }
 

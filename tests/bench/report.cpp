@@ -1,5 +1,6 @@
 // The bench's findings as text and as JSON.
 #include "tests/bench/against.hpp"
+#include "tests/bench/scaling.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -104,6 +105,43 @@ nlohmann::json to_json(const BenchResult& result) {
     if (!result.peer.empty()) {
         j["accuracy"]["llvmpipe"] = to_json(result.llvmpipe);
     }
+    return j;
+}
+
+std::string table(const ScalingResult& result) {
+    std::string text;
+    for (const Scale& scale : result.scales) {
+        text += format("%-12s        ms  ns a %-9s slope to the next\n", scale.name.c_str(),
+                       scale.unit.c_str());
+        for (std::size_t i = 0; i < scale.points.size(); ++i) {
+            const ScalePoint& p = scale.points[i];
+            text += format("%12.0f %9.3f %13.3f", p.size, p.ms, 1e6 * p.ms / p.size);
+            text += i + 1 < scale.points.size() ? format(" %15.2f\n", scale.slope(i)) : "\n";
+        }
+        text += format("slope of all %9.2f\n\n", scale.slope());
+    }
+    const Memory& m = result.memory;
+    return text + format(
+                      "memory: %.1f bytes a triangle with its mesh, %.1f bytes a pixel,\n"
+                      "%.0f MB at most for 10 M triangles at 7680x4320, "
+                      "%.2f MB more after 1000 frames\n",
+                      m.bytes_a_triangle, m.bytes_a_pixel, m.peak_large_mb, m.growth_mb);
+}
+
+nlohmann::json to_json(const ScalingResult& result) {
+    nlohmann::json j;
+    for (const Scale& scale : result.scales) {
+        nlohmann::json points;
+        for (const ScalePoint& p : scale.points) {
+            points.push_back({{"size", p.size}, {"ms", p.ms}});
+        }
+        j["scales"][scale.name] = {{"points", points}, {"slope", scale.slope()}};
+    }
+    const Memory& m = result.memory;
+    j["memory"] = {{"bytes_a_triangle", m.bytes_a_triangle},
+                   {"bytes_a_pixel", m.bytes_a_pixel},
+                   {"peak_large_mb", m.peak_large_mb},
+                   {"growth_mb", m.growth_mb}};
     return j;
 }
 

@@ -50,6 +50,17 @@ class Maker {
         }
         return most;
     }
+    // The middle one of those that are not 0: answers may differ by orders of magnitude.
+    static double typical(const Numbers& numbers) {
+        Numbers sizes;
+        for (const double x : numbers) {
+            if (x != 0) {
+                sizes.push_back(std::abs(x));
+            }
+        }
+        std::sort(sizes.begin(), sizes.end());
+        return sizes.empty() ? 0 : sizes[sizes.size() / 2];
+    }
     static int task_number(const std::string& id) { return id.at(3) - '0'; }
 
     // ---- questions; what floats cannot hold is asked of neither type
@@ -130,7 +141,7 @@ class Maker {
         }
         const double unit = (single_ ? 100 : 1) * 0x1p-23;
         const Answer answer = w_.variants.front().as_double;
-        const double scale = largest(truth);
+        const double scale = typical(truth);
         Numbers change(truth.size(), 0.0);
         for (std::size_t column = 0; column < batch_.columns; ++column) {
             constexpr double step = 1e-6;
@@ -230,6 +241,9 @@ class Maker {
     // ---- what is known beforehand
     void find_mistakes(const Numbers& truth, const Numbers& tolerance) {
         for (const Variant& v : w_.variants.subspan(1)) {
+            if (v.kind == VariantKind::alternative) {
+                continue;
+            }
             const Numbers answers =
                 answers_of(single_ ? v.as_float : v.as_double, batch_.questions);
             bool differs = false;

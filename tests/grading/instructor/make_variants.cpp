@@ -29,7 +29,8 @@ std::vector<Source> sources(const std::vector<Region>& regions, const std::vecto
         }
     }
     for (const Mutant& m : all) {
-        out.push_back({"mutant", m.task, m.words, with_answer(regions, m.task, m.code)});
+        out.push_back({m.right ? "alternative" : "mutant", m.task, m.words,
+                       with_answer(regions, m.task, m.code)});
     }
     return out;
 }

@@ -8,13 +8,13 @@
 namespace glint::grading {
 
 std::vector<Mutant> read_mutants(const std::string& file, std::string_view text) {
-    static const std::regex head(R"(// MUTANT (\d\d\.\d) (.+))");
+    static const std::regex head(R"(// (MUTANT|RIGHT) (\d\d\.\d) (.+))");
     std::vector<Mutant> all;
     std::istringstream lines{std::string(text)};
     for (std::string line; std::getline(lines, line);) {
         std::smatch match;
         if (std::regex_match(line, match, head)) {
-            all.push_back({match[1], match[2], {}});
+            all.push_back({match[2], match[3], {}, match[1] == "RIGHT"});
         } else if (all.empty()) {
             throw Error(file + ":1: a file of mutants starts with // MUTANT TASK WORDS");
         } else {

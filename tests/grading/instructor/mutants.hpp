@@ -3,7 +3,8 @@
 //     // MUTANT 09.1 a lobe without its 1/pi
 //         return (n + T(2.0F)) * T(0.5F);
 //
-// The words complete "your values are those of ...".
+// The words complete "your values are those of ...". A head with RIGHT instead is another way to
+// the right answer, which must not be hurt.
 #pragma once
 
 #include "tests/grading/instructor/marks.hpp"
@@ -13,6 +14,7 @@ namespace glint::grading {
 struct Mutant {
     std::string task, words;
     Lines code;
+    bool right;
 };
 
 // Lines before the first mutant are an Error.

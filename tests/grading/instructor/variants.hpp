@@ -7,7 +7,7 @@
 
 namespace glint::grading {
 
-enum class VariantKind { solution, skeleton, mutant };
+enum class VariantKind { solution, skeleton, mutant, alternative };
 
 using Answer = void (*)(int task, const double* question, double* answer);
 

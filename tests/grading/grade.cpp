@@ -77,6 +77,17 @@ void finish(Options& o) {
     }
 }
 
+// In a student's tree one lesson's mistakes spoil those that include it.
+void say_what_it_builds_on(std::ostream& out, const Report& report) {
+    for (const LessonResult& l : report.lessons) {
+        if (l.earned() < l.points() && l.verdict == Verdict::wrong) {
+            for (const std::string& before : unsolved_before(l.lesson, SOURCE_FOLDER)) {
+                out << l.lesson << " builds on " << before << ", which is not all right yet\n";
+            }
+        }
+    }
+}
+
 int one(const Options& o) {
     const Report report = grade_submission(o.submission, o.c.order);
     if (report.lessons.empty()) {
@@ -91,7 +102,11 @@ int one(const Options& o) {
             write_text(file, forms.at(form)(report));
         }
     }
-    print(printed ? std::cerr : std::cout, report);
+    std::ostream& out = printed ? std::cerr : std::cout;
+    print(out, report);
+    if (o.submission == SOURCE_FOLDER) {
+        say_what_it_builds_on(out, report);
+    }
     return report.is_final() ? 0 : 3;
 }
 

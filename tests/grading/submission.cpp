@@ -9,6 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
 
 namespace glint::grading {
 namespace {
@@ -17,6 +20,25 @@ struct Submitted {
     std::string lesson;
     Intake header;
 };
+
+// The headers of lessons that a header includes, directly or by another one.
+std::set<std::string> included_by(const std::string& header, const std::filesystem::path& root) {
+    static const std::regex include(R"re(#include "(lessons/[^"]+)".*)re");
+    std::set<std::string> found;
+    std::vector<std::string> unread{header};
+    while (!unread.empty()) {
+        std::istringstream lines(read_text(root / unread.back()));
+        unread.pop_back();
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch match;
+            if (std::regex_match(line, match, include) &&
+                std::filesystem::exists(root / match[1].str()) && found.insert(match[1]).second) {
+                unread.push_back(match[1]);
+            }
+        }
+    }
+    return found;
+}
 
 std::vector<Submitted> collect(const std::filesystem::path& submission, const Order& order) {
     std::vector<Submitted> all;
@@ -78,6 +100,26 @@ std::string submission_hash(const std::filesystem::path& submission, const Order
 
 std::string seed_of(const Order& o) {
     return o.secret.empty() ? "" : std::to_string(seed(o.secret, o.assignment + '\n' + o.student));
+}
+
+std::vector<std::string> unsolved_before(const std::string& lesson,
+                                         const std::filesystem::path& root) {
+    const auto header_of = [](const Lesson& l) { return "lessons/" + l.name + '/' + l.header; };
+    const auto included = included_by(header_of(cases_of(lesson, std::nullopt)), root);
+    std::vector<std::string> unsolved;
+    for (const std::string& name : graded_lessons()) {
+        const bool is_included = std::any_of(
+            included.begin(), included.end(),
+            [&](const std::string& header) { return header.starts_with("lessons/" + name + "/"); });
+        if (name != lesson && is_included) {
+            const Lesson before = cases_of(name, std::nullopt);
+            const LessonResult r = grade_lesson(before, take_in(root, header_of(before)), root);
+            if (r.earned() < r.points()) {
+                unsolved.push_back(name);
+            }
+        }
+    }
+    return unsolved;
 }
 
 Report grade_submission(const std::filesystem::path& submission, const Order& order) {

@@ -33,4 +33,9 @@ std::string seed_of(const Order& order);
 // missing is skipped.
 Report grade_submission(const std::filesystem::path& submission, const Order& order);
 
+// Lessons whose headers this one includes, and theirs, that are graded and not all right by their
+// visible cases: in a student's tree these spoil answers that are right.
+std::vector<std::string> unsolved_before(const std::string& lesson,
+                                         const std::filesystem::path& root);
+
 }  // namespace glint::grading

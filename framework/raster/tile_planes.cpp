@@ -124,9 +124,9 @@ class PlaneSetup {
             y[i] = v.y;
             s[i] = v.inverse_w;
         }
-        const M small =
-            (max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]) < I(small_extent)) &
-            (max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]) < I(small_extent));
+        const I width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
+        const I height = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
+        const M small = (width < I(small_extent)) & (height < I(small_extent));
         const std::uint32_t done = lane_bits(small) & c.whole;
         if (done == 0) {
             return 0;

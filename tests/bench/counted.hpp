@@ -28,11 +28,11 @@ struct Counted {
     friend Counted operator*(Counted a, Counted b) { return counted(a.value * b.value); }
     friend Counted operator/(Counted a, Counted b) { return counted(a.value / b.value); }
     friend Counted operator-(Counted a) { return -a.value; }
-    friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
-    friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
-    friend bool operator<=(Counted a, Counted b) { return a.value <= b.value; }
-    friend bool operator>=(Counted a, Counted b) { return a.value >= b.value; }
-    friend bool operator==(Counted a, Counted b) { return a.value == b.value; }
+    [[gnu::const]] friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
+    [[gnu::const]] friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
+    [[gnu::const]] friend bool operator<=(Counted a, Counted b) { return a.value <= b.value; }
+    [[gnu::const]] friend bool operator>=(Counted a, Counted b) { return a.value >= b.value; }
+    [[gnu::const]] friend bool operator==(Counted a, Counted b) { return a.value == b.value; }
     Counted& operator+=(Counted b) { return *this = *this + b; }
     Counted& operator-=(Counted b) { return *this = *this - b; }
     Counted& operator*=(Counted b) { return *this = *this * b; }

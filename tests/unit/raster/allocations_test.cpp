@@ -107,7 +107,7 @@ TEST_CASE("a steady frame of a mesh allocates nothing") {
 }
 
 TEST_CASE("nor does a steady frame of clipped triangles and of tiles unlike each other") {
-    for (const std::uint64_t seed : {5, 6, 7}) {
+    for (const std::uint64_t seed : {5U, 6U, 7U}) {
         CAPTURE(seed);
         const RandomScene scene = random_scene(seed);
         check_scene(scene.mesh, scene.camera, 1);

@@ -45,8 +45,9 @@ struct SampleBits {
             const T y = from_centre(in.window.y);
             float bit = 1;
             for (const SampleOffset o : sample_offsets(samples)) {
-                const auto here = (abs(x - T(static_cast<float>(o.x) / 256)) < T(1.0F / 40)) &
-                                  (abs(y - T(static_cast<float>(o.y) / 256)) < T(1.0F / 40));
+                const T dx = abs(x - T(static_cast<float>(o.x) / 256));
+                const T dy = abs(y - T(static_cast<float>(o.y) / 256));
+                const auto here = (dx < T(1.0F / 40)) & (dy < T(1.0F / 40));
                 bits += select(here, T(bit), T(0.0F));
                 bit *= 2;
             }

@@ -117,11 +117,11 @@ TEST_CASE("what makes no camera is an Error") {
         {{.far = nan}, "near"},
         {{.far = infinity}, "near"},
     };
-    for (const auto& [camera, word] : cases) {
-        CAPTURE(word);
-        const std::string why = refusal([&] { clip_from_world(camera, 1.0F); });
+    for (const auto& c : cases) {
+        CAPTURE(c.word);
+        const std::string why = refusal([&] { clip_from_world(c.camera, 1.0F); });
         CHECK(why.starts_with("camera: "));
-        CHECK(why.find(word) != std::string::npos);
+        CHECK(why.find(c.word) != std::string::npos);
     }
     for (const float aspect : {0.0F, -1.0F, nan, infinity}) {
         CHECK(refusal([&] { clip_from_world({}, aspect); }).find("aspect") != std::string::npos);

@@ -11,6 +11,16 @@
 namespace glint {
 
 struct Counted {
+    struct Answer {
+        bool yes;
+        friend Answer operator&(Answer a, Answer b) { return {a.yes && b.yes}; }
+        friend Answer operator|(Answer a, Answer b) { return {a.yes || b.yes}; }
+        friend bool all(Answer a) { return a.yes; }
+        friend std::int32_t select(Answer m, std::int32_t a, std::int32_t b) {
+            return m.yes ? a : b;
+        }
+    };
+
     float value;
     inline static std::int64_t operations = 0;
 
@@ -28,11 +38,11 @@ struct Counted {
     friend Counted operator*(Counted a, Counted b) { return counted(a.value * b.value); }
     friend Counted operator/(Counted a, Counted b) { return counted(a.value / b.value); }
     friend Counted operator-(Counted a) { return -a.value; }
-    [[gnu::const]] friend bool operator<(Counted a, Counted b) { return a.value < b.value; }
-    [[gnu::const]] friend bool operator>(Counted a, Counted b) { return a.value > b.value; }
-    [[gnu::const]] friend bool operator<=(Counted a, Counted b) { return a.value <= b.value; }
-    [[gnu::const]] friend bool operator>=(Counted a, Counted b) { return a.value >= b.value; }
-    [[gnu::const]] friend bool operator==(Counted a, Counted b) { return a.value == b.value; }
+    friend Answer operator<(Counted a, Counted b) { return {a.value < b.value}; }
+    friend Answer operator>(Counted a, Counted b) { return {a.value > b.value}; }
+    friend Answer operator<=(Counted a, Counted b) { return {a.value <= b.value}; }
+    friend Answer operator>=(Counted a, Counted b) { return {a.value >= b.value}; }
+    friend Answer operator==(Counted a, Counted b) { return {a.value == b.value}; }
     Counted& operator+=(Counted b) { return *this = *this + b; }
     Counted& operator-=(Counted b) { return *this = *this - b; }
     Counted& operator*=(Counted b) { return *this = *this * b; }
@@ -42,7 +52,9 @@ struct Counted {
     friend Counted max(Counted a, Counted b) { return counted(glint::max(a.value, b.value)); }
     friend Counted sqrt(Counted a) { return counted(std::sqrt(a.value)); }
     friend Counted inverse_sqrt(Counted a) { return Counted(1.0F) / sqrt(a); }
-    friend Counted select(bool m, Counted a, Counted b) { return counted(m ? a.value : b.value); }
+    friend Counted select(Answer m, Counted a, Counted b) {
+        return counted(m.yes ? a.value : b.value);
+    }
     friend Counted fma(Counted a, Counted b, Counted c) {
         return counted(glint::fma(a.value, b.value, c.value), 2);
     }
@@ -55,6 +67,11 @@ struct Counted {
 
 template <>
 inline constexpr bool is_lanes<Counted> = true;
+template <>
+struct Companions<Counted> {
+    using Int = std::int32_t;
+    using Mask = Counted::Answer;
+};
 
 }  // namespace glint
 

@@ -41,7 +41,8 @@ TEST_CASE("without words there are defaults") {
     CHECK(o.height == 540);
     CHECK(o.settings.rasterizer == Rasterizer::tiles);
     CHECK(o.settings.lanes == max_lanes);
-    CHECK(o.settings.threads == std::clamp<int>(std::thread::hardware_concurrency(), 1, 256));
+    CHECK(o.settings.threads ==
+          std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256));
     CHECK(o.settings.samples == 4);
     CHECK(!o.settings.sample_shading);
     CHECK(o.settings.cull == Cull::none);

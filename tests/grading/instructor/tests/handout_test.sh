@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the students' tree as a student does: its lessons draw from skeletons, tests of the framework
 # pass, and its grader gives skeletons nothing. Files that the handout leaves as they are were
-# compiled for the instructor's tree; of the tests those with most of the framework do.
+# compiled for the instructor's tree, so one test with most of the framework does.
 #
 #   handout_test.sh PROGRAM   the program is handout
 set -euo pipefail
@@ -17,9 +17,9 @@ wrong() {
 }
 
 "$handout" course
-cmake -S course -B build -G Ninja -DGLINT_WERROR=ON >/dev/null
-tests=(unit_math unit_raster exact_coverage)
-cmake --build build --target lessons grade "${tests[@]}" >build.log || wrong "$(tail -n 40 build.log)"
+cmake -S course -B build -G Ninja -DGLINT_WERROR=ON -DCMAKE_BUILD_TYPE=Debug \
+  -DCMAKE_CXX_FLAGS_DEBUG=-O0 >/dev/null # soon built
+cmake --build build --target lessons grade unit_raster >build.log || wrong "$(tail -n 40 build.log)"
 
 for main in course/lessons/[0-9][0-9]_*/main.cpp; do
   name=$(basename "$(dirname "$main")")
@@ -34,6 +34,4 @@ for cases in course/tests/grading/cases/*.json; do
   [[ "$graded $points $of" == "$name 0 of" ]] || wrong "a skeleton's score: $(<score)"
 done
 
-for test in "${tests[@]}"; do
-  (cd course && "../build/bin/$test") || wrong "$test"
-done
+(cd course && ../build/bin/unit_raster) || wrong "unit_raster"

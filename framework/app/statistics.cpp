@@ -77,7 +77,7 @@ void write_statistics(const Lesson& lesson, const Options& o, const Drawing& dra
     if (o.stats == "-") {
         std::cout << text;
     } else {
-        write_file(o.stats, std::as_bytes(std::span(text)));
+        write_text(o.stats, text);
     }
 }
 

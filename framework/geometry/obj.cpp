@@ -150,7 +150,7 @@ void ObjReader::read_library(const std::string& name) {
     }
     const std::filesystem::path file = path_.parent_path() / name;
     try {
-        builder_.add_materials(parse_mtl(read_text(file), file, builder_.warnings()));
+        builder_.add_materials(parse_mtl(read_obj_text(file), file, builder_.warnings()));
     } catch (const Error& e) {
         builder_.warn(e.what());
     }
@@ -218,7 +218,7 @@ Obj parse_obj(std::string_view text, const std::filesystem::path& path) {
 }
 
 Obj read_obj(const std::filesystem::path& path) {
-    return parse_obj(read_text(path), path);
+    return parse_obj(read_obj_text(path), path);
 }
 
 }  // namespace glint

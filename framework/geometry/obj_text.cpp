@@ -108,7 +108,7 @@ std::string shown(std::string_view word) {
     return '`' + printable(word.substr(0, longest)) + (cut ? "...`" : "`");
 }
 
-std::string read_text(const std::filesystem::path& path) {
+std::string read_obj_text(const std::filesystem::path& path) {
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) {
         fail(path, "no such file");

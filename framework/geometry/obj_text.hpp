@@ -39,7 +39,7 @@ std::string_view take_word(std::string_view& arguments);
 std::string shown(std::string_view word);
 
 // All of a text file; an Error if it cannot be read, is larger than 2 GiB, empty or binary.
-std::string read_text(const std::filesystem::path& path);
+std::string read_obj_text(const std::filesystem::path& path);
 
 // An Error if the text is empty or has a zero byte.
 void check_text(std::string_view text, const std::filesystem::path& path);

@@ -94,4 +94,13 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
     }
 }
 
+std::string read_text(const fs::path& path) {
+    const std::vector<std::byte> bytes = read_file(path);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void write_text(const fs::path& path, std::string_view text) {
+    write_file(path, std::as_bytes(std::span(text)));
+}
+
 }  // namespace glint

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace glint {
@@ -19,5 +21,9 @@ std::vector<std::byte> read_file(const std::filesystem::path& path);
 // All or nothing: the bytes go to a new file beside path, which takes its name when it is complete.
 // What is no regular file (/dev/stdout, a pipe) is written to directly.
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+// The same of text, byte by byte.
+std::string read_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace glint

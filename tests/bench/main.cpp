@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
-#include <span>
 #include <thread>
 
 namespace {
@@ -29,8 +28,7 @@ Examples:
 
 void write_json(const std::string& path, const nlohmann::json& findings) {
     if (!path.empty()) {
-        const std::string text = findings.dump(2) + "\n";
-        glint::write_file(path, std::as_bytes(std::span(text)));
+        glint::write_text(path, findings.dump(2) + "\n");
     }
 }
 

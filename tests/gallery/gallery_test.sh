@@ -4,16 +4,8 @@
 #   gallery_test.sh GALLERY COMPARE    exit code 77: skipped, for want of the word that it prints
 set -euo pipefail
 shopt -s inherit_errexit
-
-skip() {
-  echo "skipped: $*"
-  exit 77
-}
-
-wrong() {
-  echo "wrong: $*"
-  exit 1
-}
+# shellcheck source=SCRIPTDIR/../words.sh
+source "$(dirname "$(realpath "$0")")/../words.sh"
 
 gallery=$(realpath "$1")
 compare=$(realpath "$2")

@@ -1,9 +1,9 @@
 #include "tests/grading/class.hpp"
 
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/exports/exports.hpp"
 #include "tests/grading/plain_text.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 

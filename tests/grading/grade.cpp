@@ -1,10 +1,10 @@
 // grade: what submissions are worth.
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/class.hpp"
 #include "tests/grading/doctor.hpp"
 #include "tests/grading/exports/exports.hpp"
 #include "tests/grading/plain_text.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -19,6 +19,8 @@ namespace {
 
 using namespace glint::grading;
 using glint::Error;
+using glint::read_text;
+using glint::write_text;
 using Form = std::string (*)(const Report&);
 
 const std::map<std::string, Form> forms{

@@ -1,6 +1,6 @@
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/cases.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 

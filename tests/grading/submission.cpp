@@ -1,10 +1,10 @@
 #include "tests/grading/submission.hpp"
 
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/digest.hpp"
 #include "tests/grading/doctor.hpp"
 #include "tests/grading/grade_lesson.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 

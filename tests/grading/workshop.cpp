@@ -1,9 +1,9 @@
 #include "tests/grading/workshop.hpp"
 
+#include "framework/image/file.hpp"
 #include "tests/grading/plain_text.hpp"
 #include "tests/grading/runner/wire.hpp"
 #include "tests/grading/sandbox/confine.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -3,16 +3,8 @@
 #   window_test.sh PROGRAM    exit code 77: skipped, for want of the word that it prints
 set -euo pipefail
 shopt -s inherit_errexit
-
-skip() {
-  echo "skipped: $*"
-  exit 77
-}
-
-wrong() {
-  echo "wrong: $*"
-  exit 1
-}
+# shellcheck source=SCRIPTDIR/../words.sh
+source "$(dirname "$(realpath "$0")")/../words.sh"
 
 program=$(realpath "$1")
 for tool in Xvfb xdotool import convert cmp; do

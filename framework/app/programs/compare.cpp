@@ -124,7 +124,7 @@ void write_numbers(const Options& options, const Metrics& metrics, const Worst& 
         throw Error("cannot write to standard output");
     }
     if (!options.json.empty() && options.json != "-") {
-        write_file(options.json, std::as_bytes(std::span(json)));
+        write_text(options.json, json);
     }
 }
 

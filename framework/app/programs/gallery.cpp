@@ -229,7 +229,7 @@ void run(const std::vector<std::string>& words) {
     }
     const fs::path out = words[1];
     const std::string text = page(words[0], out, {words.begin() + 2, words.end()});
-    write_file(out / "index.html", std::as_bytes(std::span(text)));
+    write_text(out / "index.html", text);
 }
 
 }  // namespace

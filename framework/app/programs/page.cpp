@@ -85,9 +85,4 @@ std::string data_uri(const std::filesystem::path& path, const std::string& type)
     return "data:" + type + ";base64," + base64(read_file(path));
 }
 
-std::string read_text(const std::filesystem::path& path) {
-    const auto bytes = read_file(path);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 }  // namespace glint

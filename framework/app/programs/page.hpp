@@ -23,7 +23,4 @@ std::string escape(std::string_view text);
 // A file as an address that holds it: data:TYPE;base64,... Error where it cannot be read.
 std::string data_uri(const std::filesystem::path& path, const std::string& type);
 
-// Error where it cannot be read.
-std::string read_text(const std::filesystem::path& path);
-
 }  // namespace glint

@@ -1,9 +1,9 @@
 #include "tests/grading/instructor/handout.hpp"
 
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/cases.hpp"
 #include "tests/grading/instructor/marks.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
+#include "framework/image/file.hpp"
 #include "tests/grading/cases.hpp"
 #include "tests/grading/digest.hpp"
 #include "tests/grading/instructor/make_batch.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <nlohmann/json.hpp>
 

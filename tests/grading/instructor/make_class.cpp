@@ -1,9 +1,9 @@
 // make_class DIR COUNT: a class to measure the grader by, of which lesson 12 was handed in: right
 // answers, skeletons, known mistakes and hostile submissions in turn.
+#include "framework/image/file.hpp"
 #include "tests/grading/instructor/marks.hpp"
 #include "tests/grading/instructor/mutants.hpp"
 #include "tests/grading/instructor/tests/submissions.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <iostream>
 

@@ -1,10 +1,10 @@
 // make_variants HEADER MUTANTS QUESTIONS OUT: writes the source of a lesson's variants. Its header
 // stands there once for the solution, once for the skeleton, once for each task's skeleton and once
 // for each mutant, each in a namespace of its own inside glint.
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/instructor/marks.hpp"
 #include "tests/grading/instructor/mutants.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -14,6 +14,8 @@
 namespace {
 
 using namespace glint::grading;
+using glint::read_text;
+using glint::write_text;
 
 struct Source {
     std::string kind, task, words, text;

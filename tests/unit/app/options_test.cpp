@@ -2,6 +2,7 @@
 
 #include "framework/math/dispatch.hpp"
 #include "framework/math/error.hpp"
+#include "tests/unit/refusal.hpp"
 
 #include <doctest/doctest.h>
 
@@ -27,12 +28,7 @@ Options parse(const Words& words, const Parameters& parameters = two_parameters)
 }
 
 std::string refusal(const Words& words, const Parameters& parameters = two_parameters) {
-    try {
-        parse(words, parameters);
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return "";
+    return glint::refusal([&] { parse(words, parameters); });
 }
 
 TEST_CASE("without words there are defaults") {

@@ -45,7 +45,7 @@ TEST_CASE("a file becomes an address") {
                                                                         {"fooba", "Zm9vYmE="},
                                                                         {"foobar", "Zm9vYmFy"},
                                                                         {"\xff\xfe\xfd", "//79"}}) {
-        write_file(file, std::as_bytes(std::span(text)));
+        write_text(file, text);
         CHECK(data_uri(file, "a/b") == "data:a/b;base64," + coded);
         CHECK(read_text(file) == text);
     }

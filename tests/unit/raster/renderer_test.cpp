@@ -2,23 +2,14 @@
 
 #include "framework/geometry/shapes.hpp"
 #include "tests/unit/raster/drawing.hpp"
+#include "tests/unit/refusal.hpp"
 
 #include <doctest/doctest.h>
 
-#include <functional>
 #include <string>
 
 namespace glint {
 namespace {
-
-std::string refusal(const std::function<void()>& act) {
-    try {
-        act();
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return "";
-}
 
 TEST_CASE("settings out of their range are refused by name") {
     const struct {

@@ -3,13 +3,13 @@
 #include "framework/geometry/shapes.hpp"
 #include "framework/math/error.hpp"
 #include "tests/oracle/random.hpp"
+#include "tests/unit/refusal.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -82,15 +82,6 @@ TEST_CASE("depth is 1 at near and 0 at far and falls between") {
         previous = depth(distance);
         CHECK(previous == doctest::Approx(n * (f - distance) / (distance * (f - n))).epsilon(1e-4));
     }
-}
-
-std::string refusal(const std::function<void()>& act) {
-    try {
-        act();
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return "";
 }
 
 TEST_CASE("what makes no camera is an Error") {

@@ -1,7 +1,7 @@
 // A class is graded to the end whatever its students hand in, and goes on where it was stopped.
 #include "tests/grading/class.hpp"
 
-#include "tests/grading/text_file.hpp"
+#include "framework/image/file.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Reports in other people's forms: their fields, and that words of strangers stay words.
 #include "tests/grading/exports/exports.hpp"
 
-#include "tests/grading/text_file.hpp"
+#include "framework/image/file.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

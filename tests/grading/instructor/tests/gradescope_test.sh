@@ -4,19 +4,18 @@
 #   gradescope_test.sh GRADE   the grader that setup.sh would build
 set -euo pipefail
 shopt -s inherit_errexit
+# shellcheck source=SCRIPTDIR/../../../words.sh
+source "$(dirname "$(realpath "$0")")/../../../words.sh"
 grade=$(realpath "$1")
 here=$(dirname "$(realpath "$0")")
 top=$(realpath "$here/../../../..")
-command -v zip >/dev/null && command -v unzip >/dev/null || exit 77
+for tool in zip unzip; do
+  command -v $tool >/dev/null || skip "$tool is not installed"
+done
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
 chmod 755 "$scratch"
 cd "$scratch"
-
-wrong() {
-  echo "wrong: $*"
-  exit 1
-}
 
 head -c 32 /dev/urandom >secret
 "$here/../gradescope/bundle" a.zip secret "week 'one'" 12

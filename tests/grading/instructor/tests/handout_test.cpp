@@ -1,10 +1,10 @@
 // What students get, looked through for what they shall not.
 #include "tests/grading/instructor/handout.hpp"
 
+#include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/case.hpp"
 #include "tests/grading/cases.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

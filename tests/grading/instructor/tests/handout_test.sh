@@ -6,15 +6,12 @@
 #   handout_test.sh PROGRAM   the program is handout
 set -euo pipefail
 shopt -s inherit_errexit
+# shellcheck source=SCRIPTDIR/../../../words.sh
+source "$(dirname "$(realpath "$0")")/../../../words.sh"
 handout=$(realpath "$1")
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
 cd "$scratch"
-
-wrong() {
-  echo "wrong: $*"
-  exit 1
-}
 
 "$handout" course
 cmake -S course -B build -G Ninja -DGLINT_WERROR=ON -DCMAKE_BUILD_TYPE=Debug \

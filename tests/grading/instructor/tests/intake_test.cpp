@@ -1,8 +1,8 @@
 #include "tests/grading/intake.hpp"
 
+#include "framework/image/file.hpp"
 #include "tests/grading/archive.hpp"
 #include "tests/grading/plain_text.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <doctest/doctest.h>
 

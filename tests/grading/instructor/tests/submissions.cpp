@@ -1,8 +1,8 @@
 #include "tests/grading/instructor/tests/submissions.hpp"
 
+#include "framework/image/file.hpp"
 #include "tests/grading/cases.hpp"
 #include "tests/grading/instructor/marks.hpp"
-#include "tests/grading/text_file.hpp"
 
 #include <regex>
 #include <sstream>

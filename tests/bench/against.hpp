@@ -1,8 +1,8 @@
 // Glint and llvmpipe draw the same scenes in turns.
 #pragma once
 
+#include "framework/measure/timing.hpp"
 #include "tests/bench/accuracy.hpp"
-#include "tests/bench/timing.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,9 +1,9 @@
 #include "tests/bench/scaling.hpp"
 
+#include "framework/measure/timing.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "framework/math/dispatch.hpp"
 #include "tests/bench/glint_frames.hpp"
-#include "tests/bench/timing.hpp"
 
 #include <cmath>
 #include <fstream>

@@ -22,39 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-struct Student {
-    std::string name;
-    fs::path submission;  // empty: nothing was handed in
-};
-
-std::vector<Student> students_of(const ClassOrder& c) {
-    std::map<std::string, fs::path> all;
-    if (!c.roster.empty()) {
-        std::istringstream lines(read_text(c.roster));
-        for (std::string line; std::getline(lines, line);) {
-            const std::string name = line.substr(0, line.find_first_of(",\r"));
-            if (!name.empty()) {
-                all[name];
-            }
-        }
-    }
-    for (const auto& entry : fs::directory_iterator(c.folder)) {
-        const fs::path& path = entry.path();
-        const fs::file_type type = entry.symlink_status().type();
-        if (type == fs::file_type::directory) {
-            all[path.filename()] = path;
-        } else if (type == fs::file_type::regular && path.extension() == ".zip") {
-            all[path.stem()] = path;
-        }
-    }
-    std::vector<Student> students;
-    students.reserve(all.size());
-    for (const auto& [name, path] : all) {
-        students.push_back({name, path});
-    }
-    return students;
-}
-
 json stored_report(const fs::path& folder) {
     try {
         return json::parse(read_text(folder / "report.json"));
@@ -163,11 +130,57 @@ std::string second_line(const std::string& text) {
     return text.substr(std::min(text.find('\n'), text.size() - 1) + 1);
 }
 
-std::vector<std::string> sum_up(const ClassOrder& c, const std::vector<Student>& students) {
+}  // namespace
+
+std::vector<Student> students_of(const fs::path& folder, const fs::path& roster) {
+    std::map<std::string, fs::path> all;
+    if (!roster.empty()) {
+        std::istringstream lines(read_text(roster));
+        for (std::string line; std::getline(lines, line);) {
+            const std::string name = line.substr(0, line.find_first_of(",\r"));
+            if (!name.empty()) {
+                all[name];
+            }
+        }
+    }
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const fs::path& path = entry.path();
+        const fs::file_type type = entry.symlink_status().type();
+        if (type == fs::file_type::directory) {
+            all[path.filename()] = path;
+        } else if (type == fs::file_type::regular && path.extension() == ".zip") {
+            all[path.stem()] = path;
+        }
+    }
+    std::vector<Student> students;
+    students.reserve(all.size());
+    for (const auto& [name, path] : all) {
+        students.push_back({name, path});
+    }
+    return students;
+}
+
+void grade_class(const ClassOrder& given) {
+    ClassOrder c = given;
+    if (c.order.lessons.empty()) {
+        c.order.lessons = graded_lessons();
+    }
+    const std::vector<Student> all = students_of(c.folder, c.roster);
+    std::vector<Student> mine;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (static_cast<int>(i) % c.parts == c.part) {
+            mine.push_back(all[i]);
+        }
+    }
+    fs::create_directories(c.out);
+    grade_all(c, mine);
+}
+
+std::vector<std::string> sum_up(const ClassOrder& c) {
     std::string grades;
     std::map<std::string, Statistic> statistics;
     std::vector<std::string> not_final;
-    for (const Student& s : students) {
+    for (const Student& s : students_of(c.folder, c.roster)) {
         const json report = stored_report(c.out / s.name);
         if (!report.is_object() || !report.value("final", false)) {
             not_final.push_back(s.name);
@@ -181,25 +194,6 @@ std::vector<std::string> sum_up(const ClassOrder& c, const std::vector<Student>&
     write_text(c.out / "grades.csv", grades);
     write_text(c.out / "statistics.csv", statistics_csv(statistics));
     return not_final;
-}
-
-}  // namespace
-
-std::vector<std::string> grade_class(const ClassOrder& given) {
-    ClassOrder c = given;
-    if (c.order.lessons.empty()) {
-        c.order.lessons = graded_lessons();
-    }
-    const std::vector<Student> all = students_of(c);
-    std::vector<Student> mine;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (static_cast<int>(i) % c.parts == c.part) {
-            mine.push_back(all[i]);
-        }
-    }
-    fs::create_directories(c.out);
-    grade_all(c, mine);
-    return c.parts == 1 ? sum_up(c, all) : std::vector<std::string>{};
 }
 
 }  // namespace glint::grading

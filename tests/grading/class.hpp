@@ -13,9 +13,21 @@ struct ClassOrder {
     int part = 0, parts = 1;  // of the students, to be graded on several machines
 };
 
+struct Student {
+    std::string name;
+    std::filesystem::path submission;  // empty: nothing was handed in
+};
+
+// In the folder, or on the roster where there is one; by name.
+std::vector<Student> students_of(const std::filesystem::path& folder,
+                                 const std::filesystem::path& roster);
+
 // Writes for each student out/STUDENT/report.json and .html; what is there and still true is kept,
-// so that a class goes on where it was stopped. With all parts there, writes out/grades.csv and
-// out/statistics.csv and returns the students of whom there is no final grade.
-std::vector<std::string> grade_class(const ClassOrder& c);
+// so that a class goes on where it was stopped.
+void grade_class(const ClassOrder& c);
+
+// Writes out/grades.csv and out/statistics.csv of the reports that are there; returns the students
+// of whom there is no final grade.
+std::vector<std::string> sum_up(const ClassOrder& c);
 
 }  // namespace glint::grading

@@ -5,6 +5,7 @@
 #include "tests/grading/doctor.hpp"
 #include "tests/grading/exports/exports.hpp"
 #include "tests/grading/plain_text.hpp"
+#include "tests/grading/slurm.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -41,6 +42,8 @@ struct Options {
     std::filesystem::path submission = SOURCE_FOLDER, secret, metadata;
     std::map<std::string, std::filesystem::path> files;  // by form
     std::string part;
+    bool slurm = false;
+    int chunk = 32;
 };
 
 void add_common(CLI::App& command, Options& o) {
@@ -112,8 +115,43 @@ int one(const Options& o) {
     return report.is_final() ? 0 : 3;
 }
 
+// What grades a part of the class, which is to be named after it.
+std::vector<std::string> part_command(const Options& o) {
+    namespace fs = std::filesystem;
+    std::vector<std::string> words{fs::read_symlink("/proc/self/exe"),
+                                   "class",
+                                   fs::absolute(o.c.folder),
+                                   "--out",
+                                   fs::absolute(o.c.out),
+                                   "--jobs",
+                                   std::to_string(o.c.jobs),
+                                   "--assignment",
+                                   o.c.order.assignment};
+    for (const std::string& lesson : o.c.order.lessons) {
+        words.insert(words.end(), {"--lesson", lesson});
+    }
+    if (!o.c.roster.empty()) {
+        words.insert(words.end(), {"--roster", fs::absolute(o.c.roster)});
+    }
+    if (!o.secret.empty()) {
+        words.insert(words.end(), {"--secret", fs::absolute(o.secret)});
+    }
+    words.emplace_back("--part");
+    return words;
+}
+
 int whole_class(const Options& o) {
-    const auto not_final = grade_class(o.c);
+    if (o.slurm) {
+        run_array(
+            {part_command(o), std::filesystem::absolute(o.c.out) / "slurm", o.chunk, o.c.jobs},
+            students_of(o.c.folder, o.c.roster).size());
+    } else {
+        grade_class(o.c);
+    }
+    if (o.c.parts > 1) {
+        return 0;
+    }
+    const auto not_final = sum_up(o.c);
     for (const std::string& student : not_final) {
         std::cerr << "to be graded again: " << printable(student, 80) << '\n';
     }
@@ -151,6 +189,10 @@ void declare(CLI::App& app, Options& o) {
     all->add_option("--roster", o.c.roster, "CSV, the first column names students");
     all->add_option("--jobs", o.c.jobs, "students at a time")->check(CLI::Range(1, 256));
     all->add_option("--part", o.part, "I/N: only every Nth student, from the Ith");
+    all->add_flag("--slurm", o.slurm, "by Slurm, in an array job")->excludes("--part");
+    all->add_option("--chunk", o.chunk, "students for each task of the array")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     add_common(*all, o);
     app.add_subcommand("doctor", "Says which protections this machine has");
 }

@@ -65,4 +65,12 @@ std::string printable(std::string_view text, std::size_t limit) {
     return out;
 }
 
+std::string shell_word(std::string_view text) {
+    std::string word = "'";
+    for (const char c : text) {
+        word += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return word + '\'';
+}
+
 }  // namespace glint::grading

@@ -13,4 +13,7 @@ bool is_plain_text(std::string_view text);
 // beyond the limit is cut.
 std::string printable(std::string_view text, std::size_t limit);
 
+// One word for a shell, whatever is in it.
+std::string shell_word(std::string_view text);
+
 }  // namespace glint::grading

@@ -102,24 +102,6 @@ void append(void* file, void* bytes, int size) {
     all.insert(all.end(), first, first + size);
 }
 
-std::vector<std::byte> encode(const SrgbImage& image) {
-    std::vector<std::byte> file;
-    constexpr int packed = 0;  // rows follow each other without a gap
-    int done = 0;
-    if (is_opaque(image)) {
-        const auto codes = without_alpha(image);
-        done = stbi_write_png_to_func(append, &file, image.width(), image.height(), 3, codes.data(),
-                                      packed);
-    } else {
-        done = stbi_write_png_to_func(append, &file, image.width(), image.height(), 4,
-                                      image.pixels().data(), packed);
-    }
-    if (done == 0) {
-        throw std::bad_alloc();
-    }
-    return file;
-}
-
 }  // namespace
 
 SrgbImage read_png(const fs::path& path) {
@@ -145,9 +127,27 @@ SrgbImage read_png(const fs::path& path) {
                                                                   : decode8(path, file);
 }
 
+std::vector<std::byte> encode_png(const SrgbImage& image) {
+    std::vector<std::byte> file;
+    constexpr int packed = 0;  // rows follow each other without a gap
+    int done = 0;
+    if (is_opaque(image)) {
+        const auto codes = without_alpha(image);
+        done = stbi_write_png_to_func(append, &file, image.width(), image.height(), 3, codes.data(),
+                                      packed);
+    } else {
+        done = stbi_write_png_to_func(append, &file, image.width(), image.height(), 4,
+                                      image.pixels().data(), packed);
+    }
+    if (done == 0) {
+        throw std::bad_alloc();
+    }
+    return file;
+}
+
 void write_png(const fs::path& path, const SrgbImage& image) {
     require_file_size(path, image.width(), image.height());
-    write_file(path, encode(image));
+    write_file(path, encode_png(image));
 }
 
 }  // namespace glint

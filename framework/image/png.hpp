@@ -3,7 +3,9 @@
 
 #include "framework/image/image.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <vector>
 
 namespace glint {
 
@@ -11,6 +13,9 @@ namespace glint {
 // Code values are taken as sRGB whatever profile the file names. Error: no such file, no PNG,
 // damaged, more than max_file_side pixels wide or high.
 SrgbImage read_png(const std::filesystem::path& path);
+
+// The bytes of a file. RGB where every pixel is opaque, else RGBA. The picture is not empty.
+std::vector<std::byte> encode_png(const SrgbImage& image);
 
 // RGB where every pixel is opaque, else RGBA. Equal pictures give equal bytes; the file appears
 // complete or not at all. Error: cannot be written, empty or larger than max_file_side.

@@ -29,8 +29,9 @@ static void from_json(const nlohmann::json& j, Mistake& m) {
 
 // NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE names each member once, for reading and for writing.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Check, terms, low, high)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Frame, width, height, pixels, light)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Batch, number, columns, answers_a_row, questions, checks,
-                                   mistakes, floor)
+                                   mistakes, floor, frame)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, name, kind, points, hidden, batches)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Task, id, title, cases)
 

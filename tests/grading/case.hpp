@@ -27,6 +27,13 @@ struct Mistake {
     std::vector<double> answers;
 };
 
+// Where the answers of a batch stand in a picture; none where width is 0.
+struct Frame {
+    int width = 0, height = 0;
+    std::vector<int> pixels;    // of the rows' first answers, counted row by row from the top
+    std::vector<double> light;  // what a row's answer is multiplied by to be seen
+};
+
 // Questions of one number type. Answers stand row by row.
 struct Batch {
     std::string number;  // "float" or "double"
@@ -35,6 +42,7 @@ struct Batch {
     std::vector<Check> checks;
     std::vector<Mistake> mistakes;  // those that answer otherwise than is right
     double floor;                   // the share of checks that trivial answers pass
+    Frame frame;
 
     std::size_t rows() const { return questions.size() / columns; }
 };
@@ -46,7 +54,7 @@ struct Case {
     bool hidden;
     std::vector<Batch> batches;
 
-    bool is_property() const { return kind != "values" && kind != "rows"; }
+    bool is_property() const { return kind == "reciprocity" || kind == "albedo"; }
 };
 
 struct Task {

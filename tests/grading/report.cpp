@@ -93,6 +93,9 @@ void print_task(std::ostream& out, const TaskResult& t) {
                                     [](const CaseResult& c) { return !explain(c).empty(); });
     if (first != t.cases.end()) {
         out << "        " << explain(*first) << '\n';
+        if (first->shown) {
+            out << first->shown->raster;
+        }
     }
 }
 
@@ -155,7 +158,8 @@ std::string explain(const CaseResult& c) {
     if (c.kind == "albedo") {
         return c.name + ": the integral is " + number(f.got) + ", it is to be " + wanted(f);
     }
-    return c.name + ": of (" + joined(f.question) + ") as " + f.number + " you make " +
+    const std::string place = f.place.empty() ? "" : f.place + ", ";
+    return c.name + ": " + place + "of (" + joined(f.question) + ") as " + f.number + " you make " +
            (c.kind == "reciprocity" ? "a difference of " : "") + number(f.got) + ", it is to be " +
            wanted(f);
 }

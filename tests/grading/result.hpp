@@ -1,6 +1,8 @@
 // What grading found: verdicts, points, and the words for them.
 #pragma once
 
+#include "framework/image/image.hpp"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -40,6 +42,13 @@ struct Failure {
     std::vector<double> question;  // the row of the check's first answer
     std::size_t component;         // which of the row's answers
     double low, high, got;
+    std::string place;  // in the picture; else empty
+};
+
+// What answers look like, for people.
+struct Shown {
+    SrgbImage picture;   // as it is to be, as it is, and how far they differ; empty for a raster
+    std::string raster;  // coverage: # right, ! too much, ? missing, . nothing
 };
 
 struct CaseResult {
@@ -49,7 +58,8 @@ struct CaseResult {
     Verdict verdict;
     std::string words;  // what went wrong, for people; of hidden cases for instructors alone
     std::optional<Failure> failure;
-    double seconds;  // of the slowest run
+    double seconds;              // of the slowest run
+    std::optional<Shown> shown;  // never of hidden cases
 };
 
 struct TaskResult {

@@ -1,6 +1,7 @@
 #include "tests/grading/score.hpp"
 
 #include "tests/grading/judge.hpp"
+#include "tests/grading/picture.hpp"
 
 #include <algorithm>
 #include <map>
@@ -75,7 +76,8 @@ Failure describe(const Batch& batch, const Answered& a, std::size_t check) {
             first % batch.answers_a_row,
             c.low,
             c.high,
-            got};
+            got,
+            batch.frame.width > 0 ? place_of(batch, check) : ""};
 }
 
 CaseResult result_of(const Tried& t, const std::string& follows) {
@@ -87,7 +89,8 @@ CaseResult result_of(const Tried& t, const std::string& follows) {
                  Verdict::ok,
                  follows,
                  std::nullopt,
-                 0};
+                 0,
+                 std::nullopt};
     double share = 1;
     for (std::size_t i = 0; i < t.answers.size(); ++i) {
         const Answered& a = t.answers[i];
@@ -98,11 +101,17 @@ CaseResult result_of(const Tried& t, const std::string& follows) {
             r.words = a.words;
             return r;
         }
+        const bool seen = batch.frame.width > 0;
+        if (seen && !r.hidden) {
+            r.shown = show(*t.asked, batch, a.answers);
+        }
         const auto wrong = first_failure(batch, a.answers);
         if (wrong && follows.empty()) {
             share = std::min(share, share_of(*t.asked, batch, a));
             r.verdict = Verdict::wrong;
-            r.failure = r.failure ? r.failure : describe(batch, a, *wrong);
+            r.failure = r.failure
+                            ? r.failure
+                            : describe(batch, a, seen ? worst_failure(batch, a.answers) : *wrong);
         }
     }
     r.earned = share * r.points;

@@ -3,6 +3,7 @@
 #include "framework/measure/quadrature.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/instructor/domains.hpp"
+#include "tests/grading/instructor/fragments.hpp"
 #include "tests/grading/judge.hpp"
 
 #include <nlohmann/json.hpp>
@@ -30,7 +31,7 @@ class Maker {
         ask();
         Numbers truth = answers_of(w_.variants.front().as_double, batch_.questions);
         Numbers tolerance = tolerances(truth);
-        if (kind() == "values") {
+        if (kind() == "values" || kind() == "picture") {
             drop_ill_conditioned(truth, tolerance);
         } else if (kind() == "rows") {
             limit(tolerance, truth);
@@ -91,12 +92,47 @@ class Maker {
                     add_row(row);
                 }
             }
+        } else if (kind() == "picture") {
+            ask_fragments();
+        } else if (kind() == "coverage") {
+            ask_raster();
         } else if (kind() == "albedo") {
             for (const double cosine : w_.asked.at("cosines")) {
                 ask_hemisphere(cosine);
             }
         } else {
             throw Error("there is no kind of case " + kind());
+        }
+    }
+    // What the still life shows in each pixel, of those that are lit where the answer is a BRDF.
+    void ask_fragments() {
+        const bool lit = w_.asked.value("lit", false);
+        const Fragments& picture = still_life_fragments();
+        batch_.frame = {picture.width, picture.height, {}, {}};
+        for (const Fragment& f : picture.all) {
+            if (!lit || (f.NL() > 0.02F && f.NV() > 0.02F)) {
+                Numbers row;
+                for (const json& part : w_.asked.at("row")) {
+                    put_part(f, part, row);
+                }
+                add_row(row);
+                batch_.frame.pixels.push_back(f.pixel);
+                batch_.frame.light.push_back(lit ? std::numbers::pi * f.NL() : 1);
+            }
+        }
+    }
+    // The manifest's triangle, asked about every pixel; a row answers for some that follow.
+    void ask_raster() {
+        const int width = w_.asked.at("width");
+        const int height = w_.asked.at("height");
+        batch_.frame = {width, height, {}, {}};
+        for (int pixel = 0; pixel < width * height; pixel += w_.task.at("answers").get<int>()) {
+            auto row = w_.asked.at("triangle").get<Numbers>();
+            row.push_back(pixel % width);
+            row.push_back(pixel / width);
+            add_row(row);
+            batch_.frame.pixels.push_back(pixel);
+            batch_.frame.light.push_back(1);
         }
     }
     // The integral over the hemisphere of BRDF cos(theta) d omega: by Gauss over cos(theta), by
@@ -179,6 +215,7 @@ class Maker {
         Numbers questions;
         Numbers kept_truth;
         Numbers kept;
+        Frame frame{batch_.frame.width, batch_.frame.height, {}, {}};
         for (std::size_t i = 0; i < batch_.rows(); ++i) {
             const auto at = [&](Numbers& n, std::size_t row) {
                 return n.begin() + static_cast<std::ptrdiff_t>(row);
@@ -186,6 +223,10 @@ class Maker {
             const auto begin = at(tolerance, i * width);
             const auto end = at(tolerance, (i + 1) * width);
             if (std::all_of(begin, end, [&](double t) { return t <= limit; })) {
+                if (kind() == "picture") {
+                    frame.pixels.push_back(batch_.frame.pixels[i]);
+                    frame.light.push_back(batch_.frame.light[i]);
+                }
                 questions.insert(questions.end(), at(batch_.questions, i * batch_.columns),
                                  at(batch_.questions, (i + 1) * batch_.columns));
                 kept_truth.insert(kept_truth.end(), at(truth, i * width),
@@ -194,6 +235,7 @@ class Maker {
             }
         }
         batch_.questions = questions;
+        batch_.frame = frame;
         truth = kept_truth;
         tolerance = kept;
     }
@@ -269,7 +311,7 @@ class Maker {
                 best = std::max(best, passed_share(batch_, m.answers));
             }
         }
-        if (best == 1 && (kind() == "values" || kind() == "rows")) {
+        if (best == 1 && kind() != "albedo" && kind() != "reciprocity") {
             throw Error(w_.asked.at("name").get<std::string>() + ": trivial answers pass all");
         }
         return best;

@@ -27,7 +27,8 @@ Case make_case(const json& task, const json& asked, std::span<const Variant> var
     const std::string text = who.assignment + '\n' + who.student + '\n' + id + '\n' + name;
     const Wanted wanted{task, asked, variants, seed(who.secret, text)};
     Case c{name, asked.at("kind"), asked.at("points"), hidden, {}};
-    for (const std::string number : task.value("numbers", json{"float", "double"})) {
+    const json usual = asked.at("kind") == "picture" ? json{"float"} : json{"float", "double"};
+    for (const std::string number : task.value("numbers", usual)) {
         c.batches.push_back(make_batch(wanted, number));
     }
     return c;

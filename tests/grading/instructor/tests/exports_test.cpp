@@ -2,6 +2,7 @@
 #include "tests/grading/exports/exports.hpp"
 
 #include "framework/image/file.hpp"
+#include "framework/image/png.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -17,9 +18,10 @@ using nlohmann::json;
 
 CaseResult result(const std::string& name, bool hidden, double points, double earned) {
     const Verdict verdict = earned == points ? Verdict::ok : Verdict::wrong;
-    CaseResult c{name, "values", hidden, points, earned, verdict, "", std::nullopt, 0.25};
+    CaseResult c{name,    "values", hidden,       points, earned,
+                 verdict, "",       std::nullopt, 0.25,   std::nullopt};
     if (verdict == Verdict::wrong) {
-        c.failure = Failure{"float", {0.5, 32}, 0, 1.25, 1.25, 7.75};
+        c.failure = Failure{"float", {0.5, 32}, 0, 1.25, 1.25, 7.75, ""};
     }
     return c;
 }
@@ -65,6 +67,51 @@ TEST_CASE("what the grader could not grade says so") {
     CHECK(json::parse(as_gradescope(r)).at("output").get<std::string>().find("no grade") !=
           std::string::npos);
     CHECK(json::parse(as_prairielearn(r)).at("gradable") == false);
+}
+
+// Of the first case: a picture of a thumbnail's size, of noise, which is the hardest to compress.
+Report with_picture() {
+    Report r = report();
+    SrgbImage noise(3 * 56 + 2, 56);
+    std::uint32_t bits = 1;
+    for (Rgba8& p : noise.pixels()) {
+        bits = bits * 1664525 + 1013904223;
+        p = {static_cast<std::uint8_t>(bits >> 24), static_cast<std::uint8_t>(bits >> 16),
+             static_cast<std::uint8_t>(bits >> 8), 255};
+    }
+    r.lessons[0].tasks[0].cases[0].shown = Shown{noise, ""};
+    return r;
+}
+
+TEST_CASE("pictures go along, small enough for everyone, and come out as they went in") {
+    const std::string start = "data:image/png;base64,";
+    const json p = json::parse(as_prairielearn(with_picture()));
+    const std::string url = p.at("tests")[0].at("images")[0].at("url");
+    CHECK(url.starts_with(start));
+    CHECK(url.size() < 64 * 1024);
+    const json g = json::parse(as_gradescope(with_picture()));
+    CHECK(g.at("tests")[0].at("output_format") == "html");
+    const std::string output = g["tests"][0].at("output");
+    CHECK(output.find(url) != std::string::npos);
+    CHECK(output.size() < 64 * 1024);
+    CHECK(as_html(with_picture()).find(url) != std::string::npos);
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("glint_picture_" + std::to_string(getpid()) + ".png");
+    write_text(file.string() + ".txt", url.substr(start.size()));
+    REQUIRE(std::system(("base64 -d " + file.string() + ".txt >" + file.string()).c_str()) == 0);
+    CHECK(read_png(file) == with_picture().lessons[0].tasks[0].cases[0].shown->picture);
+    std::filesystem::remove(file);
+    std::filesystem::remove(file.string() + ".txt");
+}
+
+TEST_CASE("a raster shows which pixels are covered") {
+    Report r = report();
+    r.lessons[0].tasks[0].cases[0].shown = Shown{{}, "##!\n?..\n"};
+    for (const auto form : {as_gradescope, as_prairielearn}) {
+        const std::string output = json::parse(form(r)).at("tests")[0].at("output");
+        CHECK(output.find("\n##!\n?..\n# covered") != std::string::npos);
+    }
+    CHECK(as_html(r).find("\n##!\n?..\n# covered") != std::string::npos);
 }
 
 TEST_CASE("PrairieLearn and Autolab") {

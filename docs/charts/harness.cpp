@@ -1,6 +1,7 @@
 #include "docs/charts/harness.hpp"
 
 #include "framework/measure/front.hpp"
+#include "framework/image/srgb.hpp"
 
 #include <cmath>
 #include <limits>
@@ -42,6 +43,10 @@ void ErrorSum::add(double error) {
 
 Errors ErrorSum::errors() const {
     return {largest_, count_ == 0 ? 0 : std::sqrt(squares_ / static_cast<double>(count_))};
+}
+
+double code_of(double linear) {
+    return 255 * srgb_encode(std::clamp(linear, 0.0, 1.0));
 }
 
 std::vector<Row> measure(const std::vector<Contender>& contenders, JudgedBy judged_by, int rounds,

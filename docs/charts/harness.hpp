@@ -24,6 +24,9 @@ class ErrorSum {
     std::int64_t count_ = 0;
 };
 
+// 255 times the sRGB curve, not rounded. Below 0 and above 1 it stays on the ends of the scale.
+double code_of(double linear);
+
 // How far a method is off on one task.
 struct Judgement {
     std::string variant, unit;

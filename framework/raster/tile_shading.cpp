@@ -108,6 +108,7 @@ class TileShading {
         }
         const T w = reciprocal(s);
         for (int k = 0; k < varyings; ++k) {
+            // All lanes are set. NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
             store(out + k * batch, first[k] + d[k] * w);
         }
     }

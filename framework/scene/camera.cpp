@@ -66,8 +66,10 @@ glm::mat4 clip_from_world(const Camera& camera, float aspect) {
     clip_from_eye[2][2] = n / (f - n);
     clip_from_eye[3][2] = n * f / (f - n);
     clip_from_eye[2][3] = -1;
-    return glm::mat4(clip_from_eye * glm::lookAt(glm::dvec3(camera.eye), glm::dvec3(camera.target),
-                                                 glm::dvec3(camera.up)));
+    const glm::dmat4 eye_from_world =
+        glm::lookAt(glm::dvec3(camera.eye), glm::dvec3(camera.target), glm::dvec3(camera.up));
+    const glm::mat4 rounded(clip_from_eye * eye_from_world);
+    return rounded;
 }
 
 Camera around(const Mesh& mesh, Camera camera) {

@@ -101,7 +101,8 @@ Scene sphere_grid(const std::vector<Material>& materials, int columns, float asp
     for (int i = 0; i < count; ++i) {
         const auto column =
             static_cast<float>(i % columns) - 0.5F * static_cast<float>(columns - 1);
-        const auto row = static_cast<float>(i / columns) - 0.5F * static_cast<float>(rows - 1);
+        const int line = i / columns;
+        const auto row = static_cast<float>(line) - 0.5F * static_cast<float>(rows - 1);
         append(s.mesh, transform(sphere(1.0F, 96, 48), at({pitch * column, -pitch * row, 0})),
                static_cast<std::uint16_t>(i));
     }

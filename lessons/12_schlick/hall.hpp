@@ -12,8 +12,8 @@ inline Mesh strip(float left, float right, bool ceiling) {
     const float y = ceiling ? 1.0F : -1.0F;
     Mesh m;
     for (const float depth : {1.0F, 4000.0F}) {
-        m.positions.push_back({left * depth, y, -depth});
-        m.positions.push_back({right * depth, y, -depth});
+        m.positions.emplace_back(left * depth, y, -depth);
+        m.positions.emplace_back(right * depth, y, -depth);
     }
     m.normals.assign(4, glm::vec3(0, -y, 0));
     m.triangles = {{0, 1, 3}, {0, 3, 2}};
@@ -33,8 +33,9 @@ inline Scene hall(int groups, int strips) {
     const float all =
         width * static_cast<float>(groups * strips) + gap * static_cast<float>(groups - 1);
     for (int i = 0; i < groups * strips; ++i) {
+        const int group = i / strips;
         const float left =
-            width * static_cast<float>(i) + gap * static_cast<float>(i / strips) - all / 2;
+            width * static_cast<float>(i) + gap * static_cast<float>(group) - all / 2;
         append(s.mesh, strip(left, left + width, false), static_cast<std::uint16_t>(2 * i));
         append(s.mesh, strip(left, left + width, true), static_cast<std::uint16_t>(2 * i + 1));
     }

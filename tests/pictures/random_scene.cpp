@@ -36,7 +36,7 @@ void add_triangle(Random& random, Mesh& mesh) {
         mesh.normals.push_back(any_direction(random));
         mesh.uvs.emplace_back(random.real(0, 1), random.real(0, 1));
     }
-    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
 }
 
 Mesh any_solid(Random& random) {

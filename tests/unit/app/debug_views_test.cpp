@@ -69,8 +69,8 @@ Mesh layers(int count) {
              {glm::vec2(x, 0), glm::vec2(x, 100), glm::vec2(100, 100), glm::vec2(100, 0)}) {
             mesh.positions.emplace_back(corner.x, corner.y, 0.9F - 0.1F * x);
         }
-        mesh.triangles.push_back({first, first + 1, first + 2});
-        mesh.triangles.push_back({first, first + 2, first + 3});
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+        mesh.triangles.emplace_back(first, first + 2, first + 3);
     }
     return mesh;
 }

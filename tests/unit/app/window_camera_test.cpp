@@ -36,8 +36,8 @@ glm::vec2 pixel_of(const Camera& camera, const glm::vec3& point, int width, int 
 Mesh box_of(const glm::vec3& low, const glm::vec3& high) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) {
-        mesh.positions.push_back({(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
-                                  (i & 4) != 0 ? high.z : low.z});
+        mesh.positions.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                                    (i & 4) != 0 ? high.z : low.z);
     }
     return mesh;
 }

@@ -87,7 +87,8 @@ TEST_CASE_TEMPLATE("03.3 L_o = BRDF E (N.L)", T, float, double, Float4, Float8, 
     CHECK(radiance(1) == glm::dvec3(0.5, 1, 16));
     CHECK(radiance(0.5) == glm::dvec3(0.25, 0.5, 8));
     CHECK(radiance(1e-8).b == doctest::Approx(16e-8));
-    for (const double none : {0.0, -1e-8, -0.5, -1.0, double{nan}, -double{infinity}}) {
+    for (const double none :
+         {0.0, -1e-8, -0.5, -1.0, double{nan}, -static_cast<double>(infinity)}) {
         CHECK(radiance(none) == glm::dvec3(0));
     }
 }

@@ -115,8 +115,9 @@ TEST_CASE("07.3 between the cells it is linear") {
     auto table = std::make_shared<BrdfTable>(BrdfTable{4, 3, 2, {}, Rgb<float>(0.0F)});
     const auto plane = [](double x, double y, double z) { return 1 + x + 2 * y + 4 * z; };
     for (int cell = 0; cell < 24; ++cell) {
-        const double value =
-            plane((cell / 6 + 0.5) / 4, (cell / 2 % 3 + 0.5) / 3, (cell % 2 + 0.5) / 2);
+        const int row = cell / 6;
+        const int column = cell / 2 % 3;
+        const double value = plane((row + 0.5) / 4, (column + 0.5) / 3, (cell % 2 + 0.5) / 2);
         for (const double colour : {1.0, 2.0, 3.0}) {
             table->rgb.push_back(static_cast<float>(colour * value));
         }
@@ -259,7 +260,7 @@ TEST_CASE_TEMPLATE("07 at its ends", T, float, double, Float4, Float8, Float16) 
     CHECK(at(0, 0, -1) > 0.1);                                  // grazing, across
     CHECK(at(1e-8, 1e-8, -1) > 0.1);
     CHECK(at(0.6, 0.6, 1) == doctest::Approx(0.12).epsilon(0.02));  // back to the light
-    for (const double odd : {-1.0, -0.5, 0.0, 2.0, double{nan}, double{infinity}}) {
+    for (const double odd : {-1.0, -0.5, 0.0, 2.0, double{nan}, static_cast<double>(infinity)}) {
         for (const auto& f : {at(odd, 0.5, 0.5), at(0.5, odd, 0.5), at(0.5, 0.5, odd)}) {
             CHECK(f >= 0.1);
             CHECK(f <= 0.73);

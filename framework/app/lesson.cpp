@@ -114,6 +114,9 @@ void draw_picture(const Lesson& lesson, const Options& o) {
     }
     std::ostream& words = o.stats == "-" ? std::cerr : std::cout;
     words << summary(lesson, o, drawing) << '\n';
+    for (const Plan& plan : drawing.plans) {
+        words << plan_table(plan);
+    }
     if (!o.compare.empty()) {
         const SrgbImage heat = heat_map(flip_map(reference, drawing.srgb));
         write_png(heat_map_name(o), side_by_side(reference, drawing.srgb, heat));

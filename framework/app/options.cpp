@@ -107,10 +107,13 @@ void add_rasterizer(CLI::App& app, Options& o) {
     option(app, "--cull", "none|back", "leave out faces that look away (none)", [&](Text t) {
         o.settings.cull = choice<Cull>("--cull", t, {{"none", Cull::none}, {"back", Cull::back}});
     });
-    option(app, "--raster", "tiles|scanline", "rasterizer (tiles)", [&](Text t) {
-        o.settings.rasterizer = choice<Rasterizer>(
-            "--raster", t, {{"tiles", Rasterizer::tiles}, {"scanline", Rasterizer::scanline}});
-    });
+    option(app, "--raster", "tiles|scanline|reference",
+           "rasterizer (tiles); reference is scanline in double", [&](Text t) {
+               o.settings.rasterizer = choice<Rasterizer>("--raster", t,
+                                                          {{"tiles", Rasterizer::tiles},
+                                                           {"scanline", Rasterizer::scanline},
+                                                           {"reference", Rasterizer::reference}});
+           });
     option(app, "--lanes", "auto|1|4|8|16", "SIMD lanes (auto)",
            [&](Text t) { o.settings.lanes = lane_count(t); });
     option(app, "--threads", "auto|N", "threads (auto)",
@@ -119,6 +122,12 @@ void add_rasterizer(CLI::App& app, Options& o) {
         o.settings.samples =
             choice<int>("--samples", t, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}, {"16", 16}});
     });
+    option(app, "--tolerance", "E",
+           "draw the cheapest way whose colours are within E sRGB codes of exact; 0: the full "
+           "model (0)",
+           [&](Text t) {
+               o.tolerance = number_within("--tolerance", t, 0, 255, "needs codes within 0..255");
+           });
     app.add_flag("--sample-shading", o.settings.sample_shading,
                  "shade every sample, not once a pixel and triangle");
 }
@@ -180,6 +189,7 @@ std::string footer(const Parameters& parameters) {
            "  --scene bunny.obj --kd 0.7,0.3,0.2 --ns 80\n"
            "  --view triangle --raster scanline\n"
            "  --probe 480,270\n"
+           "  --tolerance 1 --stats -\n"
            "  --window";
 }
 

@@ -21,6 +21,9 @@ struct Parameter {
     float low, high;
     std::string meaning;
     bool whole = false;  // takes whole numbers only
+    // Names of the values 0, 1, ..., where these are the same thing computed ever more cheaply and
+    // less accurately: --tolerance chooses among them.
+    std::vector<std::string> forms{};
 };
 
 class Parameters {
@@ -60,8 +63,9 @@ struct Options {
     Settings settings;
     ViewMode view = ViewMode::shaded;
     std::vector<std::string> outs;
-    int frames = 0;     // 0: one picture, or a window until it is closed
-    std::string stats;  // file, "-" for standard output, empty for none
+    int frames = 0;       // 0: one picture, or a window until it is closed
+    float tolerance = 0;  // sRGB codes that colours may be off by, see plan.hpp; 0: the full model
+    std::string stats;    // file, "-" for standard output, empty for none
     std::optional<std::pair<int, int>> probe;
     std::string compare;
     bool window = false;

@@ -72,6 +72,7 @@ void add_panel(const Drawing& part, int left, const Options& o, Drawing& whole) 
     if (!part.values.empty()) {
         paste(part.values, left, whole.values);
     }
+    whole.plans.insert(whole.plans.end(), part.plans.begin(), part.plans.end());
     for (std::size_t i = 0; i < part.frames.size(); ++i) {
         add(part.frames[i], whole.frames[i]);
     }

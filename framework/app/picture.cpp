@@ -70,6 +70,12 @@ Drawing draw_view(ViewMode mode, Renderer& renderer, const Scene& scene, const V
 }
 
 Drawing draw(const Lesson& lesson, const Options& o, const Scene& scene) {
+    if (o.tolerance > 0 && o.view == ViewMode::shaded) {
+        const Plan plan = make_plan(lesson, o, scene);
+        Drawing drawing = draw(lesson, planned(plan, o), scene);
+        drawing.plans.push_back(plan);
+        return drawing;
+    }
     Renderer renderer(settings_for(o));
     const ShaderSet shading = lesson.shaders(scene, o.parameters);
     const View view = view_of(scene, o.width, o.height);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "framework/app/lesson.hpp"
+#include "framework/app/plan.hpp"
 #include "framework/image/image.hpp"
 
 #include <string>
@@ -14,10 +15,12 @@ struct Drawing {
     LinearImage linear;              // shaded and normal views, where asked for
     Image<float> values;             // raw values of the other views
     std::vector<Statistics> frames;  // one a frame
+    std::vector<Plan> plans;         // one a panel, where there is a tolerance
 };
 
-// Draws options.frames times, before that once more if there are several, so that none pays for
-// the first touch of memory. The views depth, triangle, overdraw and tiles take one sample a pixel.
+// Draws options.frames times, by a plan if there is a tolerance, before that once more if there are
+// several, so that none pays for the first touch of memory. The views depth, triangle, overdraw and
+// tiles take one sample a pixel.
 Drawing draw(const Lesson& lesson, const Options& options, const Scene& scene);
 
 // The settings that options.view is drawn with.

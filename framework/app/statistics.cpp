@@ -25,6 +25,21 @@ LeastAndMedian over_frames(const Drawing& drawing, double Statistics::*stage) {
     return {ms.front(), ms[ms.size() / 2]};
 }
 
+nlohmann::ordered_json plan_json(const Plan& plan) {
+    const auto way = [](const Way& w) {
+        return nlohmann::ordered_json{{"ms", w.ms}, {"error", w.error}};
+    };
+    nlohmann::ordered_json json{{"met", plan.met()},
+                                {"full", way(plan.full)},
+                                {"chosen", way(plan.chosen)},
+                                {"savings", nlohmann::ordered_json::array()}};
+    for (const Saving& s : plan.savings) {
+        json["savings"].push_back(
+            {{"full", s.full}, {"cheaper", s.cheaper}, {"without", way(s.without)}});
+    }
+    return json;
+}
+
 struct Thousands : std::numpunct<char> {
     char do_thousands_sep() const override { return ','; }
     std::string do_grouping() const override { return "\3"; }
@@ -68,11 +83,19 @@ void write_statistics(const Lesson& lesson, const Options& o, const Drawing& dra
     json["triangles_visible"] = frame.triangles_visible;
     json["triangles_not_finite"] = frame.triangles_not_finite;
     const bool tiles = o.settings.rasterizer == Rasterizer::tiles;
-    json["rasterizer"] = tiles ? "tiles" : "scanline";
+    json["rasterizer"] = tiles                                           ? "tiles"
+                         : o.settings.rasterizer == Rasterizer::scanline ? "scanline"
+                                                                         : "reference";
     json["threads"] = tiles ? o.settings.threads : 1;
     json["lanes"] = tiles ? o.settings.lanes : 1;
     json["samples"] = settings_for(o).samples;
     json["instruction_set"] = instruction_set;
+    if (o.tolerance > 0) {
+        json["tolerance"] = o.tolerance;
+        for (const Plan& plan : drawing.plans) {
+            json["plans"].push_back(plan_json(plan));
+        }
+    }
     const std::string text = json.dump(2) + "\n";
     if (o.stats == "-") {
         std::cout << text;

@@ -88,7 +88,7 @@ void find_coverage(std::span<const Corners> triangles, int width, int height,
     Tiles tiles(view, settings);
     int index = 0;
     for (const Corners& corners : triangles) {
-        if (settings.rasterizer == Rasterizer::scanline) {
+        if (settings.rasterizer != Rasterizer::tiles) {
             scan(corners, index, view, settings, sink);
         } else {
             tiles.draw(corners, index, sink);

@@ -19,7 +19,9 @@
 
 namespace glint {
 
-enum class Rasterizer { tiles, scanline };
+// reference: scanline, but varyings and colours are computed in double, what accuracy is measured
+// against.
+enum class Rasterizer { tiles, scanline, reference };
 enum class Cull { none, back };
 
 // How to draw. None of these changes which triangle wins a sample, nor its depth.

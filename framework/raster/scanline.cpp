@@ -116,14 +116,26 @@ Rgb<float> ScanlineRasterizer::shade(const Mesh& mesh, std::span<const Shader> s
         edges_ = edges_of(triangle.v);
         corners_of_ = fragment.triangle;
     }
+    return settings_.rasterizer == Rasterizer::reference ? shade_as<double>(shader, fragment, x, y)
+                                                         : shade_as<float>(shader, fragment, x, y);
+}
+
+template <class T>
+Rgb<float> ScanlineRasterizer::shade_as(const Shader& shader, const Fragment& fragment, int x,
+                                        int y) const {
+    const ScreenTriangle& triangle = triangles_[static_cast<std::size_t>(fragment.triangle)];
     const auto weights =
-        barycentrics<float>(triangle, edges_, x * subpixel_one + subpixel_one / 2 + fragment.at.x,
-                            y * subpixel_one + subpixel_one / 2 + fragment.at.y);
-    float varyings[max_varyings];
+        barycentrics<T>(triangle, edges_, x * subpixel_one + subpixel_one / 2 + fragment.at.x,
+                        y * subpixel_one + subpixel_one / 2 + fragment.at.y);
+    T varyings[max_varyings];
     interpolate(corners_, shader.varyings, weights.space, varyings, 1);
-    float rgb[3];
-    shader.shade_1(shader.shader, varyings, 1, 1, rgb);
-    return {rgb[0], rgb[1], rgb[2]};
+    T rgb[3];
+    if constexpr (std::same_as<T, double>) {
+        shader.reference(shader.shader, varyings, 1, 1, rgb);
+    } else {
+        shader.shade_1(shader.shader, varyings, 1, 1, rgb);
+    }
+    return Rgb<float>(rgb[0], rgb[1], rgb[2]);
 }
 
 void ScanlineRasterizer::write_row(const Target& target, int y) const {

@@ -25,6 +25,8 @@ class ScanlineRasterizer {
                    Statistics& statistics);
     Rgb<float> shade(const Mesh& mesh, std::span<const Shader> shaders, const Fragment& fragment,
                      int x, int y);
+    template <class T>
+    Rgb<float> shade_as(const Shader& shader, const Fragment& fragment, int x, int y) const;
     void write_row(const Target& target, int y) const;
 
     Settings settings_;

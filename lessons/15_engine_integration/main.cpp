@@ -1,6 +1,7 @@
 #include "lessons/01_ad_hoc_phong/ad_hoc_phong.hpp"
 #include "lessons/15_engine_integration/engine_phong.hpp"
 #include "lessons/15_engine_integration/shelves.hpp"
+#include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/app/lesson.hpp"
 
 namespace {
@@ -24,6 +25,12 @@ Lighting lights_for(const Scene& s, const Material& m) {
     return lights;
 }
 
+// In radiance; --tolerance chooses.
+float least_highlight(const Parameters& p) {
+    constexpr float codes[] = {0, 1e-3F, 0.25F};
+    return radiance_of_codes(codes[static_cast<int>(p["highlights"])]);
+}
+
 EnginePhong brdf_of(const Material& m) {
     return {m.diffuse, m.specular, m.exponent};
 }
@@ -32,8 +39,11 @@ auto lesson_1(const Scene& s, const Material& m, const Parameters&) {
     return AdHocPhong{m, lights_without_pi(lights_for(s, m)), s.camera.eye};
 }
 
-auto with_pi(const Scene& s, const Material& m, const Parameters&) {
-    return Lit<EnginePhong>{brdf_of(m), lights_for(s, m), s.camera.eye};
+auto with_pi(const Scene& s, const Material& m, const Parameters& p) {
+    const EnginePhong phong = brdf_of(m);
+    const Lighting lights = lights_for(s, m);
+    return Lit<WhereItShows>{
+        {phong, highlight_from(phong, lights, least_highlight(p))}, lights, s.camera.eye};
 }
 
 auto without_pi(const Scene& s, const Material& m, const Parameters&) {
@@ -50,12 +60,21 @@ ShaderSet shaders(const Scene& s, const Parameters& p) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return run_lesson(argc, argv,
-                      {.name = "15_engine_integration",
-                       .title = "Lesson 15: normalised Phong with Fresnel, beside lesson 1",
-                       .parameters = {{"model", 15, 1, 15, "1: lesson 1, else this lesson", true},
-                                      {"pi", 1, 0, 1, "0: BRDF times pi, lights over pi", true}},
-                       .panels = {{{"model", 1}}, {{"model", 15}}},
-                       .stage = stage,
-                       .shaders = shaders});
+    return run_lesson(
+        argc, argv,
+        {.name = "15_engine_integration",
+         .title = "Lesson 15: normalised Phong with Fresnel, beside lesson 1",
+         .parameters = {{"model", 15, 1, 15, "1: lesson 1, else this lesson", true},
+                        {"pi", 1, 0, 1, "0: BRDF times pi, lights over pi", true},
+                        {"highlights",
+                         0,
+                         0,
+                         2,
+                         "0: computed everywhere, 1, 2: where they show",
+                         true,
+                         {"highlights everywhere", "highlights of 1/1000 code and more",
+                          "highlights of 1/4 code and more"}}},
+         .panels = {{{"model", 1}}, {{"model", 15}}},
+         .stage = stage,
+         .shaders = shaders});
 }

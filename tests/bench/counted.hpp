@@ -16,6 +16,7 @@ struct Counted {
         friend Answer operator&(Answer a, Answer b) { return {a.yes && b.yes}; }
         friend Answer operator|(Answer a, Answer b) { return {a.yes || b.yes}; }
         friend bool all(Answer a) { return a.yes; }
+        friend bool any(Answer a) { return a.yes; }
         friend std::int32_t select(Answer m, std::int32_t a, std::int32_t b) {
             return m.yes ? a : b;
         }

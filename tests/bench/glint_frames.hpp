@@ -1,17 +1,20 @@
-// Glint's side of the bench: a scene drawn with lesson 15's final model.
+// Glint's side of the bench: a scene drawn with lesson 15's final model, its highlights where they
+// add 1/1000 code or more.
 #pragma once
 
-#include "lessons/15_engine_integration/engine_phong.hpp"
+#include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/raster/renderer.hpp"
 #include "tests/bench/scenes.hpp"
 
 namespace glint {
 
-using BenchShader = Lit<EnginePhong>;
+using BenchShader = Lit<WhereItShows>;
 
 inline BenchShader bench_shader(const Scene& s) {
     const Material& m = s.materials[0];
-    return {{m.diffuse, m.specular, m.exponent}, s.lighting, s.camera.eye};
+    const EnginePhong phong{m.diffuse, m.specular, m.exponent};
+    const float from = highlight_from(phong, s.lighting, radiance_of_codes(1e-3F));
+    return {{phong, from}, s.lighting, s.camera.eye};
 }
 
 inline View bench_view(const BenchScene& b) {

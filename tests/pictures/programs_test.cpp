@@ -2,26 +2,16 @@
 // any number of threads.
 #include "framework/image/pfm.hpp"
 #include "framework/image/png.hpp"
-#include "tests/unit/app/program.hpp"
+#include "tests/pictures/lesson_programs.hpp"
 #include "tests/unit/raster/drawing.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 namespace glint {
 namespace {
-
-// The programs that lessons/CMakeLists.txt names.
-std::vector<std::string> lesson_names() {
-    std::vector<std::string> names;
-    std::istringstream words(LESSONS);
-    for (std::string name; words >> name;) {
-        names.push_back(name);
-    }
-    return names;
-}
 
 // How many pixels are apart by more than 1e-5, relative where they are above 1.
 int differing_pixels(const LinearImage& a, const LinearImage& b) {
@@ -42,7 +32,7 @@ int differing_pixels(const LinearImage& a, const LinearImage& b) {
 
 class Lesson {
   public:
-    Lesson(const std::string& name, int number) : name_(name), number_(number) {
+    Lesson(std::string name, int number) : name_(std::move(name)), number_(number) {
         const int samples[] = {1, 4, 2, 8, 16};
         common_ = "--size 131x70 --samples " + std::to_string(samples[number % 5]) +
                   (number % 2 == 0 ? "" : " --sample-shading") +
@@ -74,7 +64,7 @@ class Lesson {
         return "--raster tiles --lanes " + std::to_string(lanes[turn]);
     }
     void draw(const std::string& file, const std::string& words) {
-        const Run r = run(PROGRAM_FOLDER "/" + name_, folder_,
+        const Run r = run(lesson_program(name_), folder_,
                           common_ + " " + words + " --out " + file + ".pfm --out " + file + ".png");
         CAPTURE(r.err);
         REQUIRE(r.status == 0);

@@ -1,6 +1,8 @@
 #include "lessons/15_engine_integration/engine_phong.hpp"
 #include "lessons/15_engine_integration/shelves.hpp"
+#include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/measure/gonioreflectometer.hpp"
+#include "framework/image/srgb.hpp"
 #include "tests/unit/lessons/lane_value.hpp"
 
 #include <doctest/doctest.h>
@@ -104,6 +106,49 @@ TEST_CASE_TEMPLATE("15 in every number type", T, float, Float4, Float8, Float16)
             }
         }
     }
+}
+
+TEST_CASE_TEMPLATE("15 leaves out only highlights that do not show", T, float, Float4, Float8,
+                   Float16) {
+    Lighting lights;
+    for (int i = 0; i < 5; ++i) {
+        lights.directional.push_back({normalize(glm::vec3(i - 2, 1, 3)), {2, 1, 0.5F}});
+    }
+    const float least = radiance_of_codes(0.25F);
+    CHECK(srgb_encode(double{least}) * 255 == doctest::Approx(0.25));
+    int left_out = 0;
+    for (const float n : {0.5F, 3.0F, 50.0F, 1e4F}) {
+        const EnginePhong phong{Cd, F0, n};
+        const WhereItShows some{phong, highlight_from(phong, lights, least)};
+        for (float tilt = -1.5F; tilt < 1.5F; tilt += 0.05F) {
+            const glm::vec3 normal(std::sin(tilt), 0.1F, std::cos(tilt));
+            const auto all = shade<EnginePhong, T>(phong, lights, normal);
+            const auto fewer = shade<WhereItShows, T>(some, lights, normal);
+            for (int band = 0; band < 3; ++band) {
+                const double lost = value(all[band]) - value(fewer[band]);
+                CHECK(lost >= -1e-6);
+                CHECK(lost <= double{least} + 1e-6);
+                left_out += lost != 0 ? 1 : 0;
+            }
+        }
+    }
+    CHECK(left_out > 20);
+}
+
+TEST_CASE("15 where highlights are computed") {
+    Lighting lights;
+    const EnginePhong phong{Cd, F0, 50};
+    CHECK(highlight_from(phong, lights, 1e-3F) > 1);  // no light, no highlight
+    lights.directional = {{{0, 0, 1}, {2, 1, 1}}};
+    const float from = highlight_from(phong, lights, 1e-3F);
+    CHECK(52 / (2 * pi) * std::pow(double{from}, 50) * 2 == doctest::Approx(1e-3));
+    CHECK(highlight_from(phong, lights, 1e3F) > 1);  // as weak as that everywhere
+    CHECK(highlight_from(phong, lights, 0) < -1);
+    CHECK(highlight_from({Cd, F0, 0}, lights, 1e-3F) < -1);
+    lights.point = {{{0, 0, 1}, {1, 1, 1}}};
+    CHECK(highlight_from(phong, lights, 1e-3F) < -1);
+    const auto in_double = shade<WhereItShows, double>({phong, -2}, two_lights(), {0, 0, 1});
+    CHECK(in_double == shade<EnginePhong, double>(phong, two_lights(), {0, 0, 1}));
 }
 
 TEST_CASE_TEMPLATE("15 at its ends", T, float, double, Float4, Float8, Float16) {

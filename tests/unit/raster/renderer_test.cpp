@@ -30,6 +30,36 @@ TEST_CASE("settings out of their range are refused by name") {
     }
 }
 
+// 1 in double, 0 in float: a millionth of a float's last place is lost beside 1.
+struct NeedsDouble {
+    template <class T>
+    struct Varyings {
+        T one;
+    };
+    static Varyings<float> vertex(const Vertex&) { return {1.0F}; }
+    template <Real T>
+    Rgb<T> operator()(const Varyings<T>& in) const {
+        const T tiny(1e-12F);
+        return Rgb<T>(((in.one + tiny) - in.one) / tiny);
+    }
+};
+
+TEST_CASE("the reference is scanline in double") {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0.5F}, {16, 0, 0.5F}, {0, 16, 0.5F}};
+    mesh.triangles = {{0, 1, 2}};
+    const NeedsDouble shader;
+    const Drawn f =
+        draw(mesh, window_view(8, 8), plug(shader), {.rasterizer = Rasterizer::scanline});
+    const Drawn d =
+        draw(mesh, window_view(8, 8), plug(shader), {.rasterizer = Rasterizer::reference});
+    REQUIRE(d.triangle(4, 4) != no_triangle);
+    CHECK(f.linear(4, 4).r == 0.0F);
+    CHECK(d.linear(4, 4).r == doctest::Approx(1).epsilon(1e-3));
+    CHECK(d.triangle == f.triangle);
+    CHECK(d.depth == f.depth);
+}
+
 TEST_CASE("a view out of its range and missing shaders are refused, and nothing is drawn") {
     const Mesh mesh = plane(1, 1, 1, 1);
     const OneColour shader;

@@ -1,0 +1,198 @@
+// The same shader's text as double, as float and in lanes; and what covers a pixel, by both
+// rasterizers, of vertices that are snapped to fractions of a pixel.
+#include "lessons/15_engine_integration/engine_phong.hpp"
+#include "framework/math/dispatch.hpp"
+#include "docs/charts/families.hpp"
+#include "docs/charts/kernel.hpp"
+#include "docs/charts/picture.hpp"
+#include "tests/oracle/coverage_oracle.hpp"
+#include "tests/oracle/random.hpp"
+
+#include <numbers>
+
+namespace glint::charts {
+namespace {
+
+// ---- number type --------------------------------------------------------------------------------
+
+constexpr int fragments = 2048;
+constexpr int stride = fragments + 80;  // columns begin at different places of the cache
+
+Lit<EnginePhong> final_model() {
+    Lit<EnginePhong> s{{Rgb<float>(0.5F, 0.3F, 0.2F), Rgb<float>(0.04F), 51.2F}, {}, {0, 0, 4}};
+    s.lighting.directional = {{normalize(glm::vec3(-0.5F, 0.6F, 0.8F)), Rgb<float>(3.0F)},
+                              {normalize(glm::vec3(0.8F, 0.3F, 0.3F)), Rgb<float>(0.5F)}};
+    s.lighting.ambient = Rgb<float>(0.05F);
+    return s;
+}
+
+// A unit sphere seen from its front: position and normal, by column.
+template <class T>
+std::vector<T> sphere_fragments() {
+    std::vector<T> in(6 * stride);
+    for (std::size_t i = 0; i < fragments; ++i) {
+        const double radius = std::sqrt((static_cast<double>(i) + 0.5) / fragments);
+        const double angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+        const double at[] = {radius * std::cos(angle), radius * std::sin(angle),
+                             std::sqrt(1 - radius * radius)};
+        for (std::size_t k = 0; k < 6; ++k) {  // rounded once, so that all types see the same
+            in[k * stride + i] = static_cast<T>(static_cast<float>(at[k % 3]));
+        }
+    }
+    return in;
+}
+
+template <class T>
+Contender shade(const std::string& method, Shader::ShadeCall<T> call,
+                const std::vector<double>& exact, std::vector<T>& colours) {
+    static const Lit<EnginePhong> model = final_model();
+    const auto in = std::make_shared<const std::vector<T>>(sphere_fragments<T>());
+    const auto out = std::make_shared<std::vector<T>>(3 * stride);
+    const auto work = [=] { call(&model, in->data(), stride, fragments, out->data()); };
+    work();
+    colours = *out;
+    ErrorSum sum;
+    for (std::size_t i = 0; i < fragments; ++i) {
+        for (std::size_t k = 0; k < 3 && !exact.empty(); ++k) {
+            sum.add(code_of(double{(*out)[k * stride + i]}) - code_of(exact[k * stride + i]));
+        }
+    }
+    return {method, work, fragments, {{"a shader", "codes", sum.errors()}}};
+}
+
+void add_number_types(std::vector<Contender>& all) {
+    const Shader shader = plug(final_model());
+    std::vector<double> exact;
+    std::vector<float> ignored;
+    all.push_back(shade<double>("double", shader.reference, {}, exact));
+    all.push_back(shade("float", shader.shade_1, exact, ignored));
+    all.push_back(shade("4 lanes", shader.shade_4, exact, ignored));
+    if (shader.shade_8 != nullptr) {
+        all.push_back(shade("8 lanes", shader.shade_8, exact, ignored));
+    }
+    if (shader.shade_16 != nullptr) {
+        all.push_back(shade("16 lanes", shader.shade_16, exact, ignored));
+    }
+}
+
+// ---- coverage -----------------------------------------------------------------------------------
+
+constexpr int window = 128;         // pixels a side
+constexpr double finest = 0x1p-14;  // of a pixel: what the oracle is asked in
+
+// A net of triangles over the window and some more, with knots about so many pixels apart.
+struct Net {
+    std::vector<glm::dvec2> knots;  // pixels
+    std::vector<glm::uvec3> triangles;
+};
+
+Net net_of(double pixels) {
+    oracle::Random random(1);
+    const int cells = static_cast<int>((window + 4) / pixels) + 1;
+    Net net;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            const double x = column + random.real(-0.3, 0.3);
+            const double y = row + random.real(-0.3, 0.3);
+            net.knots.push_back(glm::round((glm::dvec2(x, y) * pixels - 2.0) / finest) * finest);
+            if (row < cells && column < cells) {
+                const auto a = static_cast<std::uint32_t>(row * (cells + 1) + column);
+                const auto below = a + static_cast<std::uint32_t>(cells) + 1;
+                net.triangles.emplace_back(a, below, a + 1);
+                net.triangles.emplace_back(a + 1, below, below + 1);
+            }
+        }
+    }
+    return net;
+}
+
+// Which triangle covers each pixel's centre, by the oracle.
+Image<std::int32_t> exact_owners(const Net& net) {
+    Image<std::int32_t> owner(window, window, no_triangle);
+    const auto fixed = [](const glm::dvec2& p) {
+        return oracle::Point{static_cast<std::int32_t>(p.x / finest),
+                             static_cast<std::int32_t>(p.y / finest)};
+    };
+    for (std::size_t t = 0; t < net.triangles.size(); ++t) {
+        const glm::uvec3 i = net.triangles[t];
+        const glm::dvec2 corner[] = {net.knots[i.x], net.knots[i.y], net.knots[i.z]};
+        const glm::dvec2 low = floor(min(min(corner[0], corner[1]), corner[2]));
+        const glm::dvec2 high = ceil(max(max(corner[0], corner[1]), corner[2]));
+        const oracle::Triangle triangle{fixed(corner[0]), fixed(corner[1]), fixed(corner[2])};
+        for (int y = std::max(static_cast<int>(low.y), 0); y < std::min<double>(high.y, window);
+             ++y) {
+            for (int x = std::max(static_cast<int>(low.x), 0); x < std::min<double>(high.x, window);
+                 ++x) {
+                if (oracle::covers(triangle, fixed({x + 0.5, y + 0.5}))) {
+                    owner(x, y) = static_cast<std::int32_t>(t);
+                }
+            }
+        }
+    }
+    return owner;
+}
+
+struct Grey {
+    template <class T>
+    struct Varyings {
+        T nothing;
+    };
+    static Varyings<float> vertex(const Vertex&) { return {0}; }
+    template <Real T>
+    Rgb<T> operator()(const Varyings<T>& in) const {
+        return Rgb<T>(in.nothing + T(0.2F));
+    }
+};
+
+// The net snapped to 2^-bits pixels, as a scene whose units are pixels.
+Stage stage_of_net(const Net& net, int bits) {
+    const double unit = std::exp2(-bits);
+    Scene s;
+    for (const glm::dvec2& p : net.knots) {
+        s.mesh.positions.emplace_back(glm::round(p / unit) * unit, 0.5);
+    }
+    s.mesh.triangles = net.triangles;
+    Stage stage = stage_of(std::move(s), window, window,
+                           [](const Scene&, const Material&) { return Grey(); });
+    glm::mat4 clip_from_pixels(1.0F);
+    clip_from_pixels[0][0] = 2.0F / window;
+    clip_from_pixels[1][1] = -2.0F / window;
+    clip_from_pixels[3] = {-1, 1, 0, 1};
+    stage.view.clip_from_world = clip_from_pixels;
+    return stage;
+}
+
+void add_coverage(std::vector<Contender>& all, double pixels, const char* name) {
+    const Net net = net_of(pixels);
+    const Image<std::int32_t> exact = exact_owners(net);
+    for (const Rasterizer rasterizer : {Rasterizer::scanline, Rasterizer::tiles}) {
+        for (const int bits : {0, 4, 8}) {
+            const auto stage = std::make_shared<const Stage>(stage_of_net(net, bits));
+            const Settings settings{.rasterizer = rasterizer};
+            Image<std::int32_t> found;
+            Renderer(settings).render(stage->scene.mesh, stage->view, stage->shading.shaders,
+                                      {.triangle = &found});
+            int wrong = 0;
+            for (std::size_t i = 0; i < exact.pixels().size(); ++i) {
+                wrong += found.pixels()[i] != exact.pixels()[i] ? 1 : 0;
+            }
+            const double share = static_cast<double>(wrong) / (window * window);
+            const std::string method = (rasterizer == Rasterizer::tiles ? "tiles " : "scanline ") +
+                                       std::to_string(bits) + " bits";
+            all.push_back(frame_contender(method, stage, settings,
+                                          {{name, "share of pixels", {share, share}}}));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Contender> number_type_contenders() {
+    std::vector<Contender> all;
+    add_number_types(all);
+    add_coverage(all, 0.7, "triangles of 0.7 pixels");
+    add_coverage(all, 8, "triangles of 8 pixels");
+    return all;
+}
+
+}  // namespace glint::charts

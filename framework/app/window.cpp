@@ -1,5 +1,6 @@
 #include "framework/app/window.hpp"
 
+#include "framework/app/window_remote.hpp"
 #include "framework/app/window_viewer.hpp"
 #include "framework/math/error.hpp"
 
@@ -7,9 +8,11 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace glint {
@@ -160,18 +163,56 @@ class Messenger {
     bool lost_ = false;
 };
 
-}  // namespace
+// What lessons/run --watch says, on standard input: "draw" when the program was built anew, else
+// words to show. Its end closes the window.
+class Watch {
+  public:
+    explicit Watch(RemotePicture& picture) : picture_(picture), line_(SDL_RegisterEvents(1)) {
+        std::thread([type = line_] {
+            for (std::string line; std::getline(std::cin, line);) {
+                push(type, new std::string(line));
+            }
+            push(SDL_QUIT, nullptr);
+        }).detach();
+    }
 
-int run_window(const Lesson& lesson, const Options& options) {
-    Viewer viewer(lesson, options);
-    start_sdl();
-    Window window(lesson.title, options.width, options.height);
+    void take(const SDL_Event& e, Viewer& viewer) {
+        if (e.type == line_) {
+            const std::unique_ptr<std::string> line(static_cast<std::string*>(e.user.data1));
+            if (*line == "draw") {
+                picture_.restart();
+            } else {
+                viewer.say({*line});
+            }
+        }
+    }
+
+  private:
+    static void push(std::uint32_t type, std::string* line) {
+        SDL_Event event{};
+        event.type = type;
+        event.user.data1 = line;
+        SDL_PushEvent(&event);
+    }
+
+    RemotePicture& picture_;
+    std::uint32_t line_;
+};
+
+// Until the window is closed; of a watch there may be none.
+void show_until_closed(Viewer& viewer, Window& window, const Options& options, Watch* watch) {
     Messenger messenger(viewer, window);
     SDL_Event event;
+    const auto take = [&] {
+        messenger.take(event);
+        if (watch != nullptr) {
+            watch->take(event, viewer);
+        }
+    };
     for (int drawn = 0; !viewer.closed();) {
         // All that has happened goes into one frame, so that a slow frame does not lag behind.
         while (SDL_PollEvent(&event) != 0) {
-            messenger.take(event);
+            take();
         }
         if (messenger.lost_picture() || viewer.stale()) {
             window.show(viewer.frame());
@@ -182,9 +223,34 @@ int run_window(const Lesson& lesson, const Options& options) {
         if (options.frames > 0) {
             viewer.redraw();
         } else if (SDL_WaitEvent(&event) != 0) {
-            messenger.take(event);
+            take();
         }
     }
+}
+
+}  // namespace
+
+int run_window(const Lesson& lesson, const Options& options) {
+    if (draws_for_window()) {
+        return draw_for_window(lesson, options);
+    }
+    std::unique_ptr<PictureSource> source;
+    RemotePicture* remote = nullptr;
+    if (window_is_watched()) {
+        auto picture = std::make_unique<RemotePicture>(options);
+        remote = picture.get();
+        source = std::move(picture);
+    } else {
+        source = std::make_unique<LivePicture>(lesson, options);
+    }
+    Viewer viewer(std::move(source), options);
+    start_sdl();
+    Window window(lesson.title, options.width, options.height);
+    std::optional<Watch> watch;
+    if (remote != nullptr) {
+        watch.emplace(*remote);
+    }
+    show_until_closed(viewer, window, options, watch ? &*watch : nullptr);
     return 0;
 }
 

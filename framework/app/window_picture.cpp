@@ -108,12 +108,66 @@ const Drawing& LivePicture::drawing() {
     return drawing_;
 }
 
+const Seen& LivePicture::seen() {
+    if (stale_) {
+        seen_.picture = drawing().srgb;
+    }
+    seen_.status = status();
+    seen_.labels = labels();
+    seen_.report = report_ ? report_lines(*report_) : Lines{};
+    return seen_;
+}
+
+PictureState LivePicture::state() const {
+    const auto [x, y] = options_.probe.value_or(std::pair(-1, -1));
+    PictureState s{options_.width,
+                   options_.height,
+                   options_.settings,
+                   options_.view,
+                   x,
+                   y,
+                   chosen_parameter_,
+                   {},
+                   {}};
+    for (const Parameter& p : options_.parameters.all()) {
+        s.parameters.push_back(p.value);
+    }
+    for (const Part& part : parts_) {
+        s.views.push_back({!same_place(part.scene.camera, part.home), part.scene.camera});
+    }
+    return s;
+}
+
+void LivePicture::restore(const PictureState& s) {
+    options_.width = s.width;
+    options_.height = s.height;
+    options_.settings = s.settings;
+    options_.view = s.view;
+    options_.probe.reset();
+    if (s.probe_x >= 0) {
+        options_.probe = {s.probe_x, s.probe_y};
+    }
+    if (s.parameters.size() == options_.parameters.all().size()) {
+        chosen_parameter_ = s.chosen_parameter;
+        for (std::size_t i = 0; i < s.parameters.size(); ++i) {
+            options_.parameters.all()[i].value = s.parameters[i];
+        }
+    }
+    renderer_.reset();
+    restage();
+    for (std::size_t i = 0; i < parts_.size() && i < s.views.size(); ++i) {
+        if (s.views[i].moved) {
+            parts_[i].scene.camera = s.views[i].camera;
+        }
+    }
+}
+
 Lines LivePicture::status() const {
     return status_lines(options_, drawing_.frames.front(), chosen_parameter_);
 }
 
-std::vector<LivePicture::Label> LivePicture::labels() const {
-    std::vector<Label> labels;
+std::vector<Seen::Label> LivePicture::labels() const {
+    std::vector<Seen::Label> labels;
     for (std::size_t i = 0; i < parts_.size() && parts_.size() > 1; ++i) {
         std::string words;
         for (const auto& [name, value] : lesson_.panels[i]) {

@@ -7,7 +7,7 @@
 #include "framework/app/probe.hpp"
 #include "framework/app/window_keys.hpp"
 #include "framework/app/window_mouse.hpp"
-#include "framework/app/window_words.hpp"
+#include "framework/app/window_source.hpp"
 #include "framework/raster/renderer.hpp"
 
 #include <optional>
@@ -16,31 +16,47 @@
 
 namespace glint {
 
+// What the user did to a picture, to be done to another one of the same lesson.
+struct PictureState {
+    struct View {
+        bool moved;  // from where the lesson has it
+        Camera camera;
+    };
+    int width, height;
+    Settings settings;
+    ViewMode view;
+    int probe_x, probe_y;  // -1: none
+    std::size_t chosen_parameter;
+    std::vector<float> parameters;
+    std::vector<View> views;  // of the panels
+};
+
 // Always what the lesson program would write for the same options and camera.
-class LivePicture {
+class LivePicture final : public PictureSource {
   public:
     // The lesson must outlive it. Error where the scene cannot be had.
     LivePicture(const Lesson& lesson, const Options& options);
 
-    void resize(int width, int height);
-    void act(Action action);           // what moves the camera, settings or parameters
-    void act(const Gesture& gesture);  // orbit, pan, and a click that probes
-    void zoom_steps(float steps);      // of a mouse wheel, positive is nearer
-    void forget_probe();
-    void redraw() { stale_ = true; }
+    void resize(int width, int height) override;
+    void act(Action action) override;
+    void act(const Gesture& gesture) override;
+    void zoom_steps(float steps) override;
+    void forget_probe() override;
+    void redraw() override { stale_ = true; }
 
-    bool stale() const { return stale_; }  // drawing() will differ
-    const Drawing& drawing();              // drawn anew where stale
+    PictureState state() const;
+    // Of the same lesson, which may have other parameters or panels now: these stay as they are.
+    void restore(const PictureState& state);
+
+    bool stale() const override { return stale_; }
+    const Seen& seen() override;
+    const Drawing& drawing();  // drawn anew where stale
     // What is known of the probed pixel options().probe, of the last drawing.
     const std::optional<PixelReport>& report() const { return report_; }
 
-    const Options& options() const { return options_; }
+    const Options& options() const override { return options_; }
     Lines status() const;  // of the last drawing, in words
-    struct Label {
-        int left;           // of a panel
-        std::string words;  // the parameters that it differs in
-    };
-    std::vector<Label> labels() const;  // none where there is one panel
+    std::vector<Seen::Label> labels() const;
 
   private:
     struct Part {
@@ -62,6 +78,7 @@ class LivePicture {
     std::size_t chosen_parameter_ = 0;
     Drawing drawing_;
     std::optional<PixelReport> report_;
+    Seen seen_;
     bool stale_ = true;
 };
 

@@ -2,6 +2,7 @@
 
 #include "framework/app/window_compare.hpp"
 #include "framework/app/window_overlay.hpp"
+#include "framework/app/window_picture.hpp"
 #include "framework/image/png.hpp"
 #include "framework/image/same_size.hpp"
 
@@ -27,7 +28,11 @@ std::filesystem::path free_name(const std::filesystem::path& out) {
 
 }  // namespace
 
-Viewer::Viewer(const Lesson& lesson, const Options& options) : live_(lesson, options) {
+Viewer::Viewer(const Lesson& lesson, const Options& options)
+    : Viewer(std::make_unique<LivePicture>(lesson, options), options) {}
+
+Viewer::Viewer(std::unique_ptr<PictureSource> source, const Options& options)
+    : live_(std::move(source)) {
     if (!options.compare.empty()) {
         kept_ = read_png(options.compare);
         kept_name_ = std::filesystem::path(options.compare).filename().string();
@@ -39,13 +44,13 @@ Viewer::Viewer(const Lesson& lesson, const Options& options) : live_(lesson, opt
 // ---- what the user does ------------------------------------------------------------------------
 
 void Viewer::resize(int width, int height) {
-    live_.resize(width, height);
+    live_->resize(width, height);
 }
 
 void Viewer::act(Action action) {
     message_.clear();
     stale_ = true;
-    live_.act(action);
+    live_->act(action);
     switch (action) {
         case Action::keep_picture:
             return keep();
@@ -77,15 +82,20 @@ void Viewer::act(const Gesture& gesture) {
         split_ = std::clamp(column / static_cast<float>(options().width), 0.0F, 1.0F);
         stale_ = true;
     }
-    live_.act(gesture);
+    live_->act(gesture);
 }
 
 void Viewer::zoom_steps(float steps) {
-    live_.zoom_steps(steps);
+    live_->zoom_steps(steps);
 }
 
 void Viewer::redraw() {
-    live_.redraw();
+    live_->redraw();
+}
+
+void Viewer::say(const Lines& lines) {
+    said_ = lines;
+    stale_ = true;
 }
 
 bool Viewer::on_split_line(int x) const {
@@ -123,7 +133,7 @@ void Viewer::save() {
 }
 
 void Viewer::dismiss() {
-    live_.forget_probe();
+    live_->forget_probe();
     show_keys_ = false;
     comparison_ = Comparison::none;
 }
@@ -140,8 +150,8 @@ int Viewer::split_column() const {
 // ---- drawing -----------------------------------------------------------------------------------
 
 const SrgbImage& Viewer::picture() {
-    stale_ = stale_ || live_.stale();
-    return live_.drawing().srgb;
+    stale_ = stale_ || live_->stale();
+    return live_->seen().picture;
 }
 
 const SrgbImage& Viewer::frame() {
@@ -176,13 +186,13 @@ void Viewer::compose() {
         const WordsPanel keys = fitting_panel(key_lines(), scale, options().height - 2 * margin);
         keys.draw(frame_, (options().width - keys.width()) / 2,
                   (options().height - keys.height()) / 2);
-    } else if (live_.report()) {
+    } else if (!live_->seen().report.empty()) {
         draw_report(below);
     }
 }
 
 Lines Viewer::words(const std::string& about_difference) const {
-    Lines lines = live_.status();
+    Lines lines = live_->seen().status;
     if (!about_difference.empty()) {
         lines.push_back(about_difference);
     }
@@ -193,6 +203,7 @@ Lines Viewer::words(const std::string& about_difference) const {
     if (!message_.empty()) {
         lines.push_back(message_);
     }
+    lines.insert(lines.end(), said_.begin(), said_.end());
     lines.emplace_back("F1 keys, H hides this, Q quits");
     return lines;
 }
@@ -210,7 +221,7 @@ void Viewer::draw_labels() {
         draw("now", split_column() + margin, false);
         return;
     }
-    for (const auto& [left, words] : live_.labels()) {
+    for (const auto& [left, words] : live_->seen().labels) {
         draw(words, left + margin, false);
     }
 }
@@ -219,7 +230,7 @@ void Viewer::draw_labels() {
 void Viewer::draw_report(int below) {
     const float scale = words_scale(options().height);
     const auto [x, y] = *options().probe;
-    Lines lines = report_lines(*live_.report());
+    Lines lines = live_->seen().report;
     lines.insert(lines.begin(), "pixel " + std::to_string(x) + "," + std::to_string(y));
     WordsPanel panel = fitting_panel(lines, scale, options().height - 2 * margin);
     int left = options().width - panel.width() - margin;

@@ -1,6 +1,7 @@
 #include "framework/app/window_picture.hpp"
 
 #include "framework/app/panels.hpp"
+#include "framework/app/window_parcel.hpp"
 #include "framework/math/error.hpp"
 #include "tests/unit/app/window_lesson.hpp"
 #include "tests/unit/image/temporary.hpp"
@@ -128,6 +129,38 @@ TEST_CASE("the camera stays where it is when a parameter or the size changes") {
     live.drawing();
     live.resize(121, 80);
     CHECK(live.drawing().srgb == turned);
+}
+
+TEST_CASE("what the user did goes on in another program, with the size, parameters and camera") {
+    const Lesson lesson = window_lesson_in_panels();
+    LivePicture live(lesson, window_options());
+    live.resize(200, 100);
+    for (const Action action : {Action::orbit_left, Action::zoom_in, Action::parameter_next,
+                                Action::parameter_more, Action::next_samples}) {
+        live.act(action);
+    }
+    live.act(Gesture{Gesture::Kind::click, 30, 50});
+    Parcel sent;
+    sent.put(live.seen());
+    sent.put(live.state());
+    Parcel received(sent.bytes());
+    Seen seen;
+    PictureState state{};
+    received.take(seen);
+    received.take(state);
+    LivePicture other(lesson, window_options());
+    CHECK(other.seen().picture != live.seen().picture);
+    other.restore(state);
+    CHECK(other.seen().picture == live.seen().picture);
+    CHECK(seen.picture == live.seen().picture);
+    CHECK(other.seen().report == seen.report);
+    CHECK(!seen.report.empty());
+    CHECK(other.status().back() == seen.status.back());
+    CHECK(seen.labels.size() == live.labels().size());
+    other.act(Action::reset_camera);
+    live.act(Action::reset_camera);
+    CHECK(other.seen().picture == live.seen().picture);
+    CHECK_THROWS_AS(received.take(seen), Error);
 }
 
 TEST_CASE("a click explains the pixel in its panel") {

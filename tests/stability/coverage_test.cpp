@@ -90,7 +90,7 @@ bool top_left(const glm::vec2& p, const glm::vec2& q) {
     return p.y > q.y || (p.y == q.y && q.x > p.x);
 }
 
-// A colour a number of triangles: none, one, many.
+// Dark where no triangle is, grey for one, magenta for more.
 Rgb<float> colour_of_count(const Pixel& p) {
     return p.count == 0 ? Rgb<float>(0) : p.count == 1 ? Rgb<float>(0.3F) : Rgb<float>(1, 0, 0.5F);
 }
@@ -241,10 +241,10 @@ void sub_pixel_row(int bits, double fails) {
                           differing(by_glint(tiny, settings_of<T>()), truth) / all};
         }),
         fails, 0.03);
-    const auto shade = [](const Pixels& pixels) {
-        return [pixels](int x, int y) {  // one of 16 greys and blues a triangle
-            const auto i = static_cast<float>(pixels(x, y).owner * 7 % 16) / 16;
-            return pixels(x, y).count == 0 ? Rgb<float>(1, 0, 0.5F) : Rgb<float>(i, i, 0.4F);
+    const auto shade = [&truth](const Pixels& pixels) {
+        return [&truth, pixels](int x, int y) {
+            const bool right = pixels(x, y).owner == truth(x, y).owner;
+            return colour_of_count({right ? 1 : 2, 0});
         };
     };
     picture("bits_" + std::to_string(bits), side, side, 4, shade(by_glint(tiny, {}, bits)),

@@ -53,7 +53,18 @@ TEST_CASE("the combined model Cd (1 - F0) + F(N.L) near grazing") {
         0.06, 1e-5);
 }
 
+// Albedo from along the normal to grazing; magenta where it is above 1.
+template <class Brdf>
+Shade albedo_ramp(const Brdf& brdf) {
+    return [brdf](int x, int) {
+        const double albedo = directional_albedo(brdf, std::cos((x + 0.5) * pi / 130)).g;
+        return albedo > 1.001 ? Rgb<float>(1, 0, 0.5F) : Rgb<float>(static_cast<float>(albedo));
+    };
+}
+
 TEST_CASE("a white furnace with n towards 0") {
+    picture("furnace", 65, 16, 3, albedo_ramp(EnginePhong{white, Rgb<float>(0), 1e-3F}),
+            albedo_ramp(ConsistentPhong{white, Rgb<float>(0), 1e-3F}));
     row(in_all_numbers([]<Real T>() {
             const std::initializer_list<double> cosines{1e-3, 0.1, 0.5, 0.77, 1};
             return Errors{most_above_1<T>(EnginePhong{white, Rgb<float>(0), 1e-3F}, cosines),

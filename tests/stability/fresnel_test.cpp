@@ -170,6 +170,20 @@ TEST_CASE("Fresnel, conductor: as the slides print it") {
         const T perp = (q - both + c * c) / (q + both + c * c);
         return T(0.5F) * (par + perp);
     };
+    const auto gold = [](const auto& reflectance) {  // from along the normal to grazing
+        return [&](int x, int) {
+            Rgb<float> F;
+            for (int band = 0; band < 3; ++band) {
+                const auto c = static_cast<float>(std::cos(x * pi / 130));
+                F[band] = reflectance(metals[0].ior[band], metals[0].k[band], c);
+            }
+            return F;
+        };
+    };
+    const auto by_glint = [](float ior, float k, float c) {
+        return fresnel_conductor(ior, k, c).unpolarised;
+    };
+    picture("printed_gold", 65, 16, 3, gold(printed), gold(by_glint));
     row(in_all_numbers([&]<Real T>() {
             Errors worst;
             for (const Metal& metal : metals) {

@@ -33,7 +33,36 @@ TEST_CASE("normalising a normal of length 0") {
         double{infinity}, 1e-7);
 }
 
+struct ShowNormal {
+    template <class T>
+    struct Varyings {
+        Vec3<T> normal;
+    };
+    static Varyings<float> vertex(const Vertex& v) { return {v.normal}; }
+    template <Real T>
+    Rgb<T> operator()(const Varyings<T>& in) const {
+        return in.normal;
+    }
+};
+constexpr int side = 64;
+
+void draw_highlights() {
+    const Camera camera{.eye = {0, 0, 3}, .target = {0, 0, 0}, .fov_degrees = 40};
+    const ShowNormal show;
+    const auto normal =
+        draw(icosphere(1, 1), {clip_from_world(camera, 1), side, side}, plug(show), {}).linear;
+    const auto shade = [&](bool unit) {
+        return [&, unit](int x, int y) {
+            const glm::vec3 N = unit ? normalize_or(normal(x, y), glm::vec3(0)) : normal(x, y);
+            const float cosine = std::max(dot(N, normalize(glm::vec3(-0.3F, 0.4F, 1))), 0.0F);
+            return Rgb<float>(0.1F * cosine + 0.7F * pow(cosine, 40.0F));
+        };
+    };
+    picture("short_normals", side, side, 3, shade(false), shade(true));
+}
+
 TEST_CASE("interpolated normals as they are: corners that look 160 degrees apart") {
+    draw_highlights();
     row(in_all_numbers([]<Real T>() {
             const double a = 80 * pi / 180;
             const Vec3<T> N = mix(vec<T>(std::sin(a), 0, std::cos(a)),
@@ -83,7 +112,6 @@ TEST_CASE("N.V below 0: Schlick's reflectance on silhouettes") {
     // A coarse sphere: interpolated normals at the rim look away from the viewer.
     const Mesh ball = sphere(1, 8, 5);
     const Camera camera{.eye = {0, 0, 3}, .target = {0, 0, 0}, .fov_degrees = 40};
-    constexpr int side = 64;
     const ShowCosine show{camera.eye};
     const View view{clip_from_world(camera, 1), side, side};
     const auto cosine = draw(ball, view, plug(show), {}, Rgb<float>(1)).linear;

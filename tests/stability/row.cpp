@@ -3,6 +3,8 @@
 #include "framework/image/png.hpp"
 #include "framework/image/srgb.hpp"
 
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -23,8 +25,13 @@ std::string words(double error) {
     if (std::isinf(error)) {
         return "infinite";
     }
+    const int power = error == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(error))));
     char text[32];
-    std::snprintf(text, sizeof text, "%.2g", error);
+    if (power < -3 || power > 4) {
+        std::snprintf(text, sizeof text, "%.2ge%d", error / std::pow(10.0, power), power);
+    } else {
+        std::snprintf(text, sizeof text, power < 2 ? "%.2g" : "%.0f", error);
+    }
     return text;
 }
 

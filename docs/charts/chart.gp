@@ -25,7 +25,7 @@ front(t, step) = lines(t) . sprintf(" | awk -F, '$11 == 1' | sort -t, -k4,4g | a
 
 colour(i) = word("#0072b2 #d55e00 #009e73 #cc79a7 #e69f00 #56b4e9 #000000 #7f7f7f " . \
   "#8c564b #9467bd #17becf #bcbd22 #e377c2 #1b9e77 #666666 #a6761d", (i - 1) % 16 + 1)
-symbol(i) = int(word("7 5 9 11 13 15 6 4 8 10 12 14 1 2 3 65", (i - 1) % 16 + 1))
+symbol(i) = int(word("7 5 9 11 13 15 6 4 8 10 12 14 1 2 3", (i - 1) % 15 + 1))
 
 place(method) = sum [i = 1:methods] (name[i] eq method ? i : 0)
 do for [i = 1:methods] { shade[i] = int(system("printf %d 0x" . substr(colour(i), 2, 7))) }
@@ -34,7 +34,10 @@ columns = tasks == 1 ? 1 : 2
 rows = (tasks + columns - 1) / columns
 panel_width = columns == 1 ? 640.0 : 480.0
 panel_height = 340.0
-key_lines = (methods + 2 * columns - 1) / (2 * columns)
+longest = 0
+do for [i = 1:methods] { longest = strlen(name[i]) > longest ? strlen(name[i]) : longest }
+key_columns = columns * (longest > 20 ? 1 : 2)
+key_lines = (methods + key_columns - 1) / key_columns
 key_height = 20.0 * key_lines + 24
 width = panel_width * columns
 height = rows * panel_height + key_height
@@ -51,7 +54,7 @@ do for [kind in "svg png"] {
   }
   set multiplot
   set grid back linecolor rgb "#e4e4e4" linetype 1
-  set lmargin 10; set rmargin 2; set tmargin 2.5; set bmargin 3.5
+  set lmargin 11; set rmargin 2; set tmargin 2.5; set bmargin 3.5
   set xlabel "ns a" . (strstrt("aeiou", per[1:1]) ? "n " : " ") . per offset 0, 0.4
   set format x "%g"
   unset key
@@ -80,7 +83,7 @@ do for [kind in "svg png"] {
     set xtics auto
     set for [k = -9:9] for [digit in (decades < 3 ? "2 5" : "")] ytics add (digit * 10.0 ** k)
     set for [k = -9:9] for [digit in (spread < 1.5 ? "2 5" : "")] xtics add (digit * 10.0 ** k)
-    set format y (decades > 5 || high < 1e-3 || high > 1e5 ? "10^{%T}" : "%g")
+    set format y (decades > 4 ? "10^{%T}" : "%g")
     if (zero) { set ytics add ("0" floor_at) }
     if (endless) { set ytics add ("none" roof_at) }
     set ylabel (judged eq "max" ? "largest error" : "RMS error") offset 1, 0
@@ -102,7 +105,7 @@ do for [kind in "svg png"] {
   unset logscale; unset grid; unset border; unset tics; unset xlabel; unset ylabel; unset title
   set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
   set xrange [0:1]; set yrange [0:1]
-  set key center center horizontal maxcols 2 * columns samplen 1 font ",11"
+  set key center center horizontal maxcols key_columns samplen 1 font ",11"
   plot 0 linecolor rgb "white" notitle, for [i = 1:methods] keyentry with points pointtype symbol(i) \
     linecolor rgb colour(i) title name[i]
   unset multiplot

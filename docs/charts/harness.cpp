@@ -31,6 +31,15 @@ std::vector<Row> time_all(const std::vector<Contender>& contenders, JudgedBy jud
     return rows;
 }
 
+// Errors that agree to two digits are equal: the rest is the noise of rounding.
+double two_digits(double error) {
+    if (error == 0 || std::isinf(error)) {
+        return error;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(error)) - 1);
+    return std::round(error / unit) * unit;
+}
+
 }  // namespace
 
 void ErrorSum::add(double error) {
@@ -59,7 +68,7 @@ std::vector<Row> measure(const std::vector<Contender>& contenders, JudgedBy judg
     for (const auto& [task, rivals] : tasks) {
         std::vector<CostAndError> points;
         for (const Row* row : rivals) {
-            points.push_back({row->ns, row->error});
+            points.push_back({row->ns, two_digits(row->error)});
         }
         const std::vector<bool> on_front = pareto_front(points);
         for (std::size_t i = 0; i < rivals.size(); ++i) {

@@ -56,7 +56,7 @@ struct Row {
     Judgement judgement;
     double ns, ns_low, ns_high;  // median and quartiles of one task
     double error;                // the one that decides
-    bool on_front;               // of the rows with the same variant and unit
+    bool on_front;               // of the same variant and unit, by two digits of error
 };
 
 std::vector<Row> measure(const std::vector<Contender>& contenders, JudgedBy judged_by, int rounds,

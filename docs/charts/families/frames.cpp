@@ -1,8 +1,10 @@
-// Whole frames of lessons 1, 9, 15 and 16, by all that a lesson's program can be told on its
-// command line about how to draw; against 256 samples a pixel.
+// Whole frames of lessons 1, 9, 15 and 16, by all that a lesson's program can be told about how to
+// draw: against 256 samples a pixel, and, of what takes one sample, against double at pixel
+// centres.
 #include "lessons/01_ad_hoc_phong/ad_hoc_phong.hpp"
 #include "lessons/15_engine_integration/engine_phong.hpp"
 #include "lessons/15_engine_integration/shelves.hpp"
+#include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "lessons/16_where_it_fails/consistent_phong.hpp"
 #include "framework/scene/stages.hpp"
 #include "framework/math/dispatch.hpp"
@@ -40,13 +42,15 @@ Stage normalised_phong() {
     return stage_of(std::move(s), width, height, lit<NormalisedPhong>);
 }
 
-// Three shelves, each in a light of its own.
-Stage engine_phong() {
-    const auto make = [lights = std::array{shelves::lamp(), shelves::window(), shelves::low_sun()}](
+// Three shelves, each in a light of its own; highlights from so many codes on.
+Stage engine_phong(float codes) {
+    const auto make = [codes,
+                       lights = std::array{shelves::lamp(), shelves::window(), shelves::low_sun()}](
                           const Scene& s, const Material& m) {
-        const auto shelf = static_cast<std::size_t>(&m - s.materials.data()) / 4;
-        return Lit<EnginePhong>{
-            {m.diffuse, m.specular, m.exponent}, lights.at(shelf), s.camera.eye};
+        const Lighting& light = lights.at(static_cast<std::size_t>(&m - s.materials.data()) / 4);
+        const EnginePhong phong{m.diffuse, m.specular, m.exponent};
+        const float from = highlight_from(phong, light, radiance_of_codes(codes));
+        return Lit<WhereItShows>{{phong, from}, light, s.camera.eye};
     };
     return stage_of(shelves::three_shelves(shelves::physical()), width, height, make);
 }
@@ -62,7 +66,7 @@ Stage consistent_phong() {
     return stage_of(std::move(s), width, height, lit<ConsistentPhong>);
 }
 
-// How to draw, by the name that the charts give it. A cheaper way to draw goes here.
+// How to draw, by the name that the charts give it.
 struct Way {
     std::string name;
     Settings settings;
@@ -83,12 +87,46 @@ std::vector<Way> ways() {
     return all;
 }
 
-void add_all(std::vector<Contender>& all, const char* name, Stage made) {
-    const auto stage = std::make_shared<const Stage>(std::move(made));
-    const Codes reference = draw_256_samples(*stage);
+// A lesson's shaders in full, and cheaper: what --tolerance may choose goes here.
+struct Form {
+    std::string name;
+    Stage stage;
+};
+
+class Lesson {
+  public:
+    Lesson(std::vector<Contender>& all, const std::string& name, const Stage& full)
+        : all_(all),
+          name_(name),
+          smooth_(draw_256_samples(full)),
+          exact_(draw_codes(full, {.rasterizer = Rasterizer::reference})) {}
+
+    void add(const Way& way, const std::shared_ptr<const Stage>& stage) {
+        const Codes codes = draw_codes(*stage, way.settings);
+        std::vector<Judgement> judgements{{name_, "codes", difference(codes, smooth_)}};
+        if (way.settings.samples == 1) {
+            judgements.push_back({name_ + " at pixel centres", "codes", difference(codes, exact_)});
+        }
+        all_.push_back(frame_contender(way.name, stage, way.settings, std::move(judgements)));
+    }
+
+  private:
+    std::vector<Contender>& all_;
+    std::string name_;
+    Codes smooth_, exact_;
+};
+
+void add_all(std::vector<Contender>& all, const std::string& name, const Stage& full,
+             const std::vector<Form>& cheaper = {}) {
+    Lesson lesson(all, name, full);
+    const auto stage = std::make_shared<const Stage>(full);
     for (const Way& way : ways()) {
-        const Errors errors = difference(draw_codes(*stage, way.settings), reference);
-        all.push_back(frame_contender(way.name, stage, way.settings, {{name, "codes", errors}}));
+        lesson.add(way, stage);
+    }
+    for (const Form& form : cheaper) {
+        const auto cheap = std::make_shared<const Stage>(form.stage);
+        lesson.add({form.name, {}}, cheap);
+        lesson.add({form.name + " samples 4", {.samples = 4}}, cheap);
     }
 }
 
@@ -98,7 +136,8 @@ std::vector<Contender> frames_contenders() {
     std::vector<Contender> all;
     add_all(all, "lesson 1", ad_hoc_phong());
     add_all(all, "lesson 9", normalised_phong());
-    add_all(all, "lesson 15", engine_phong());
+    add_all(all, "lesson 15", engine_phong(0),
+            {{"highlights 1/1000", engine_phong(1e-3F)}, {"highlights 1/4", engine_phong(0.25F)}});
     add_all(all, "lesson 16", consistent_phong());
     return all;
 }

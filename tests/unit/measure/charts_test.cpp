@@ -83,6 +83,18 @@ TEST_CASE("rivals are those of the same variant and unit") {
     CHECK(rows[1].error == rows[1].judgement.errors.rms);
 }
 
+TEST_CASE("an error that is better by rounding only keeps nobody on the front") {
+    Machine m;
+    const auto rows =
+        measure({m.contender("quick", 1, 1, 0.2504), m.contender("slow", 2, 1, 0.2496),
+                 m.contender("slower", 3, 1, 0.244), m.contender("exact", 4, 1, 0)},
+                JudgedBy::largest, 3, [&] { return m.now; });
+    CHECK(rows[0].on_front);
+    CHECK_FALSE(rows[1].on_front);
+    CHECK(rows[2].on_front);
+    CHECK(rows[3].on_front);
+}
+
 TEST_CASE("a file and a table of what was found") {
     const Family family{"toys", "evaluation", JudgedBy::largest, 1, nullptr};
     const std::vector<Row> rows{{"a", {"easy", "codes", {0.5, 0.25}}, 2, 1.5, 2.5, 0.5, true},

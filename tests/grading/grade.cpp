@@ -4,6 +4,7 @@
 #include "tests/grading/class.hpp"
 #include "tests/grading/doctor.hpp"
 #include "tests/grading/exports/exports.hpp"
+#include "tests/grading/jplag.hpp"
 #include "tests/grading/plain_text.hpp"
 #include "tests/grading/slurm.hpp"
 
@@ -15,6 +16,7 @@
 #include <set>
 #include <sys/prctl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace {
 
@@ -39,7 +41,8 @@ const std::map<std::string, Form> forms{
 struct Options {
     ClassOrder c;  // what one submission is graded by, too
     std::vector<std::string> lessons;
-    std::filesystem::path submission = SOURCE_FOLDER, secret, metadata;
+    std::filesystem::path submission = SOURCE_FOLDER, secret, metadata, handout, archive,
+                          bundled_secret;                // which is not read
     std::map<std::string, std::filesystem::path> files;  // by form
     std::string part;
     bool slurm = false;
@@ -50,6 +53,14 @@ void add_common(CLI::App& command, Options& o) {
     command.add_option("--lesson", o.lessons, "numbers or names; all if left out");
     command.add_option("--secret", o.secret, "a file; hidden cases are run with it");
     command.add_option("--assignment", o.c.order.assignment, "hidden cases differ by its name");
+}
+
+void add_class(CLI::App& command, Options& o) {
+    command.add_option("folder", o.c.folder, "a folder or archive for each student")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    command.add_option("--out", o.c.out, "folder for what is written")->required();
+    command.add_option("--roster", o.c.roster, "CSV, the first column names students");
 }
 
 // Gradescope's submission_metadata.json: a group is one student.
@@ -158,6 +169,28 @@ int whole_class(const Options& o) {
     return not_final.empty() ? 0 : 3;
 }
 
+int similar(const Options& o) {
+    export_for_jplag(o.c, o.handout);
+    const std::string out = o.c.out.string();
+    std::clog << "java -jar jplag.jar -l cpp -bc " << shell_word(out + "/base") << ' '
+              << shell_word(out + "/submissions") << '\n';
+    return 0;
+}
+
+// By the instructors' script.
+int bundle(const Options& o) {
+    const std::string script = SOURCE_FOLDER "/tests/grading/instructor/gradescope/bundle";
+    std::vector<std::string> words{script, o.archive, o.bundled_secret, o.c.order.assignment};
+    words.insert(words.end(), o.c.order.lessons.begin(), o.c.order.lessons.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) {
+        argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    execv(script.c_str(), argv.data());
+    throw Error("this is the students' tree: only the instructor's makes autograders");
+}
+
 int doctor() {
     const auto all = protections();
     for (const Protection& p : all) {
@@ -168,8 +201,7 @@ int doctor() {
     return is_protected(all) ? 0 : 1;
 }
 
-void declare(CLI::App& app, Options& o) {
-    app.require_subcommand(1);
+void declare_one(CLI::App& app, Options& o) {
     CLI::App* one = app.add_subcommand("one", "Grades a header, or a folder with some");
     one->add_option("submission", o.submission,
                     "file, folder or zip archive; this tree if left out");
@@ -181,12 +213,11 @@ void declare(CLI::App& app, Options& o) {
         one->add_option("--" + form.first, o.files[form.first],
                         "file to write this form of the report to; - is standard output");
     }
+}
+
+void declare_class(CLI::App& app, Options& o) {
     CLI::App* all = app.add_subcommand("class", "Grades a folder of students");
-    all->add_option("folder", o.c.folder, "a folder or archive for each student")
-        ->required()
-        ->check(CLI::ExistingDirectory);
-    all->add_option("--out", o.c.out, "folder for reports and grades.csv")->required();
-    all->add_option("--roster", o.c.roster, "CSV, the first column names students");
+    add_class(*all, o);
     all->add_option("--jobs", o.c.jobs, "students at a time")->check(CLI::Range(1, 256));
     all->add_option("--part", o.part, "I/N: only every Nth student, from the Ith");
     all->add_flag("--slurm", o.slurm, "by Slurm, in an array job")->excludes("--part");
@@ -194,6 +225,34 @@ void declare(CLI::App& app, Options& o) {
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     add_common(*all, o);
+}
+
+void declare_for_others(CLI::App& app, Options& o) {
+    CLI::App* others = app.add_subcommand("export", "Writes a class as other programs take it");
+    others->require_subcommand(1);
+    CLI::App* jplag = others->add_subcommand("jplag", "For JPlag, which finds what is alike");
+    add_class(*jplag, o);
+    jplag->add_option("--handout", o.handout, "the students' tree, which is no one's own work")
+        ->required()
+        ->check(CLI::ExistingDirectory);
+    jplag->add_option("--lesson", o.lessons, "numbers or names; all if left out");
+    CLI::App* autograder = app.add_subcommand("bundle", "Writes what other systems grade with");
+    autograder->require_subcommand(1);
+    CLI::App* gradescope = autograder->add_subcommand("gradescope", "An autograder's archive");
+    gradescope->add_option("archive", o.archive, "the zip archive to write")->required();
+    gradescope->add_option("--lesson", o.lessons, "numbers or names")->required();
+    gradescope->add_option("--secret", o.bundled_secret, "a file; hidden cases follow from it")
+        ->required()
+        ->check(CLI::ExistingFile);
+    gradescope->add_option("--assignment", o.c.order.assignment, "hidden cases differ by its name")
+        ->required();
+}
+
+void declare(CLI::App& app, Options& o) {
+    app.require_subcommand(1);
+    declare_one(app, o);
+    declare_class(app, o);
+    declare_for_others(app, o);
     app.add_subcommand("doctor", "Says which protections this machine has");
 }
 
@@ -204,9 +263,11 @@ int run(int argc, char** argv) {
     declare(app, o);
     CLI11_PARSE(app, argc, argv);
     finish(o);
-    return app.got_subcommand("one")     ? one(o)
-           : app.got_subcommand("class") ? whole_class(o)
-                                         : doctor();
+    return app.got_subcommand("one")      ? one(o)
+           : app.got_subcommand("class")  ? whole_class(o)
+           : app.got_subcommand("export") ? similar(o)
+           : app.got_subcommand("bundle") ? bundle(o)
+                                          : doctor();
 }
 
 }  // namespace

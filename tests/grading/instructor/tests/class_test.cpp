@@ -2,6 +2,8 @@
 #include "tests/grading/class.hpp"
 
 #include "framework/image/file.hpp"
+#include "framework/math/error.hpp"
+#include "tests/grading/jplag.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -109,6 +111,22 @@ TEST_CASE("an internal error is no grade") {
     CHECK(c.report("ada").at("final") == false);
     CHECK(graded(c.order).empty());
     CHECK(c.report("ada").at("earned") == 6);
+}
+
+TEST_CASE("JPlag gets what was handed in, and what everyone was given") {
+    Class c;
+    const fs::path given = c.path / "given";
+    fs::create_directories(given);
+    write_text(given / "schlick.hpp", "// given\n");
+    export_for_jplag(c.order, given);
+    CHECK(read_text(c.order.out / "base/schlick.hpp") == "// given\n");
+    CHECK(read_text(c.order.out / "submissions/ada/schlick.hpp") ==
+          read_text(c.path / "in/ada/schlick.hpp"));
+    const auto students = fs::directory_iterator(c.order.out / "submissions");
+    CHECK(std::distance(begin(students), end(students)) == 3);  // links and names alone are none
+    CHECK_THROWS_AS(export_for_jplag(c.order, given), Error);
+    c.order.out = c.path / "elsewhere";
+    CHECK_THROWS_AS(export_for_jplag(c.order, c.path / "in"), Error);
 }
 
 }  // namespace

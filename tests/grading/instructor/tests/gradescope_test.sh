@@ -18,7 +18,7 @@ chmod 755 "$scratch"
 cd "$scratch"
 
 head -c 32 /dev/urandom >secret
-"$here/../gradescope/bundle" a.zip secret "week 'one'" 12
+"$grade" bundle gradescope a.zip --secret secret --assignment "week 'one'" --lesson 12
 mkdir -p autograder/{source,submission,results}
 unzip -q a.zip -d autograder/source
 [[ -x autograder/source/setup.sh && ! -e autograder/source/glint/.git ]] || wrong "the bundle"
@@ -26,10 +26,37 @@ cp autograder/source/run_autograder autograder/
 echo '{"users": [{"id": 7, "email": "b@x"}, {"id": 3, "email": "a@x"}]}' \
   >autograder/submission_metadata.json
 
+# ---- the image is made: all but the compiler's work is done --------------------------------------
+
+# A machine without ninja, where packages come from nowhere and the grader is built in no time.
+mkdir bin
+ln -s /usr/bin/* bin/
+rm -f bin/{ninja,apt-get,cmake,sudo}
+cat >bin/apt-get <<END
+#!/bin/sh
+echo "\$*" >>$scratch/packages
+case \$* in *ninja-build*) ln -s $(command -v ninja) $scratch/bin/ninja ;; esac
+END
+cat >bin/cmake <<END
+#!/bin/sh
+case \$* in
+  --build*-n) ;;
+  --build*) mkdir -p "\$2/bin" && exec ln -s $grade "\$2/bin/grade" ;;
+esac
+exec $(command -v cmake) "\$@"
+END
+printf '#!/bin/sh\nexec "$@"\n' >bin/sudo
+chmod +x bin/{apt-get,cmake,sudo}
+PATH=$scratch/bin autograder/source/setup.sh &>log || wrong "setup.sh: $(<log)"
+grep -q '^install .*ninja-build' packages || wrong "setup.sh does not install what is missing"
+[[ $(stat -c %a autograder/source/secret) == ?00 ]] || wrong "others may read the secret"
+
+# ---- submissions come ----------------------------------------------------------------------------
+
 # run: with the header that is there; leaves the results.
 run() {
   rm -f autograder/results/results.json
-  AUTOGRADER=$scratch/autograder GLINT_GRADE=$grade autograder/run_autograder >log 2>&1 || true
+  AUTOGRADER=$scratch/autograder autograder/run_autograder >log 2>&1 || true
 }
 
 cp "$top/lessons/12_schlick/schlick.hpp" autograder/submission/
@@ -45,6 +72,6 @@ rm autograder/submission/schlick.hpp
 run
 grep -q 'not handed in' autograder/results/results.json || wrong "nothing handed in: $(<log)"
 
-grade=/bin/false
+ln -sf /bin/false autograder/source/glint/build/bin/grade
 run
 grep -q 'this is no grade' autograder/results/results.json || wrong "no provisional result"

@@ -18,7 +18,6 @@ using Corners = std::array<glm::vec2, 3>;
 struct Pixel {
     int count = 0;
     int owner = -1;
-    friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 using Pixels = Image<Pixel>;
 

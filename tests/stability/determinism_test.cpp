@@ -34,8 +34,9 @@ TEST_CASE("contraction of the depth plane: a copy of what is there already") {
         const DepthPlane<float> p = depth_plane(v, edges_of(v).double_area);
         const T px = T(static_cast<float>(x) + 0.5F) - T(p.x);
         const T py = T(static_cast<float>(y) + 0.5F) - T(p.y);
-        const T slope =
-            contracted ? fma(T(p.dzdx), px, T(p.dzdy) * py) : T(p.dzdx) * px + T(p.dzdy) * py;
+        const T down = T(p.dzdy) * py;
+        const T slope = contracted ? T(static_cast<float>(double{p.dzdx} * value(px) + value(down)))
+                                   : T(p.dzdx) * px + down;
         return static_cast<float>(value(min(max(T(p.z) + slope, T(p.low)), T(p.high))));
     };
     row(in_floats([&]<Real T>() {
@@ -57,6 +58,8 @@ TEST_CASE("contraction of the depth plane: a copy of what is there already") {
 }
 
 TEST_CASE("contraction of shading: bits, and codes") {
+    const float x = 1 + 0x1p-12F;
+    const bool contracts = fma(x, x, -1.0F) != 0x1p-11F;  // not every processor can
     const Lighting lighting{.directional = {{normalize(glm::vec3(1, 1, 1)), Rgb<float>(3)}},
                             .point = {},
                             .ambient = Rgb<float>(0.1F)};
@@ -78,7 +81,7 @@ TEST_CASE("contraction of shading: bits, and codes") {
             }
             return e;
         }),
-        500, 1);
+        contracts ? 500 : 0, 1);
 }
 
 struct Fading {  // a lobe that leaves the range of normal numbers

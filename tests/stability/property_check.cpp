@@ -128,17 +128,17 @@ class Judge {
                     double uncertain) const {
         const glm::uvec3 v = world_.mesh.triangles[triangle];
         double extent = 0;
-        double longest = 0;
+        double bend = 0;
         for (int i = 0; i < 3; ++i) {
             extent = std::max(extent, length(glm::dvec3(world_.mesh.positions[v[i]]) - p));
-            longest = std::max(longest, length(glm::dvec3(world_.mesh.normals[v[i]])));
+            bend = std::max(bend, length(glm::dvec3(world_.mesh.normals[v[i]]) - normal));
         }
         const double unit = 0x1p-21 * uncertain;
         const double place = unit * extent + 0x1p-22 * (1 + length(p));
         const glm::dvec3 to_eye = glm::dvec3(world_.camera.eye) - p;
         Lit lit;
         lit.angle =
-            0x1p-21 + unit * longest / std::max(length(normal), 1e-30) + place / length(to_eye);
+            0x1p-21 + unit * bend / std::max(length(normal), 1e-30) + place / length(to_eye);
         const auto add = [&](const glm::dvec3& L, const Rgb<double>& irradiance) {
             lit.arrives += irradiance;
             lit.grazing |= !(std::abs(dot(normal, L)) > 0.02 * length(normal) * length(L));
@@ -177,7 +177,7 @@ class Judge {
             a.most[band] = 1.0001 * (ambient + stated_brightest(surface, band) * arrives) + 1e-30;
             if (lit.angle * (n + 1) < 0.05) {
                 a.base[band] =
-                    (8 * lit.angle + of_peak * peak) * arrives + 0x1p-20 * ambient + 1e-30;
+                    (2 * lit.angle + of_peak * peak) * arrives + 0x1p-20 * ambient + 1e-30;
             }
             // Schlick's F changes most, relatively, where it is 5 F0.
             const double slope = 3.1 * std::pow(std::max(double{surface.F0[band]}, 1e-7), -0.2);

@@ -39,16 +39,16 @@ struct Negative {
         return f - Rgb<T>(T(0.1F) * max(T(0.1F) - g.NV, T(0.0F)));
     }
 };
-struct TooBright {  // twice and more what is stated
+struct TooBright {  // twice and more what is stated, of lobes that are not tight
     template <Real T>
     static Rgb<T> of(const Rgb<T>& f, const Incidence<T>&) {
-        return f * T(2.5F) + Rgb<T>(T(1.0F));
+        return f * T(2.5F) + Rgb<T>(T(10.0F));
     }
 };
-struct OtherInFourLanes {  // by a hundredth
+struct OtherInFourLanes {  // by a thousandth
     template <Real T>
     static Rgb<T> of(const Rgb<T>& f, const Incidence<T>&) {
-        return f * T(lanes_of<T> == 4 ? 1.01F : 1.0F);
+        return f * T(lanes_of<T> == 4 ? 1.001F : 1.0F);
     }
 };
 std::atomic<int> calls{0};

@@ -87,7 +87,7 @@ do for [kind in "svg png"] {
     if (zero) { set ytics add ("0" floor_at) }
     if (endless) { set ytics add ("none" roof_at) }
     set ylabel (judged eq "max" ? "largest error" : "RMS error") offset 1, 0
-    set title task font ",12" offset 0, -0.6
+    set title task font ",12" offset 0, -0.6 noenhanced
     named = "< " . front(task, (top / bottom) ** 0.055)
     corners = int(system(front(task, 1) . " | wc -l"))
     plot for [i = 1:(corners > 1)] named using 4:(shown(column(error))) with steps \

@@ -28,11 +28,11 @@ const Family families[] = {
     {"fresnel", "evaluation", JudgedBy::largest, 301, fresnel_contenders},
     {"srgb", "evaluation", JudgedBy::largest, 301, srgb_contenders},
     {"interpolation", "fragment", JudgedBy::largest, 301, interpolation_contenders},
-    {"shading", "pixel", JudgedBy::rms, 41, shading_contenders},
-    {"number_type", "fragment", JudgedBy::rms, 41, number_type_contenders},
-    {"antialiasing", "pixel", JudgedBy::rms, 41, antialiasing_contenders},
+    {"shading", "pixel", JudgedBy::rms, 101, shading_contenders},
+    {"number_type", "fragment", JudgedBy::rms, 61, number_type_contenders},
+    {"antialiasing", "pixel", JudgedBy::rms, 61, antialiasing_contenders},
     {"captured", "evaluation", JudgedBy::rms, 101, captured_contenders},
-    {"frames", "pixel", JudgedBy::rms, 11, frames_contenders},
+    {"frames", "pixel", JudgedBy::rms, 25, frames_contenders},
 };
 
 // What the numbers depend on.

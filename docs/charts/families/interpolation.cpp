@@ -73,6 +73,9 @@ struct Perspective {
     }
 };
 
+template <class Inverse>
+Perspective(Inverse) -> Perspective<Inverse>;
+
 // Right at the ends of a block, on a straight line between; one block a span is affine.
 struct ByBlock {
     int pixels;

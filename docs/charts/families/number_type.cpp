@@ -1,12 +1,9 @@
 // The same shader's text as double, as float and in lanes; and what covers a pixel, by both
 // rasterizers, of vertices that are snapped to fractions of a pixel.
 #include "lessons/15_engine_integration/engine_phong.hpp"
-#include "framework/math/dispatch.hpp"
 #include "docs/charts/families.hpp"
-#include "docs/charts/kernel.hpp"
+#include "docs/charts/net.hpp"
 #include "docs/charts/picture.hpp"
-#include "tests/oracle/coverage_oracle.hpp"
-#include "tests/oracle/random.hpp"
 
 #include <numbers>
 
@@ -77,61 +74,6 @@ void add_number_types(std::vector<Contender>& all) {
 
 // ---- coverage -----------------------------------------------------------------------------------
 
-constexpr int window = 128;         // pixels a side
-constexpr double finest = 0x1p-14;  // of a pixel: what the oracle is asked in
-
-// A net of triangles over the window and some more, with knots about so many pixels apart.
-struct Net {
-    std::vector<glm::dvec2> knots;  // pixels
-    std::vector<glm::uvec3> triangles;
-};
-
-Net net_of(double pixels) {
-    oracle::Random random(1);
-    const int cells = static_cast<int>((window + 4) / pixels) + 1;
-    Net net;
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            const double x = column + random.real(-0.3, 0.3);
-            const double y = row + random.real(-0.3, 0.3);
-            net.knots.push_back(glm::round((glm::dvec2(x, y) * pixels - 2.0) / finest) * finest);
-            if (row < cells && column < cells) {
-                const auto a = static_cast<std::uint32_t>(row * (cells + 1) + column);
-                const auto below = a + static_cast<std::uint32_t>(cells) + 1;
-                net.triangles.emplace_back(a, below, a + 1);
-                net.triangles.emplace_back(a + 1, below, below + 1);
-            }
-        }
-    }
-    return net;
-}
-
-// Which triangle covers each pixel's centre, by the oracle.
-Image<std::int32_t> exact_owners(const Net& net) {
-    Image<std::int32_t> owner(window, window, no_triangle);
-    const auto fixed = [](const glm::dvec2& p) {
-        return oracle::Point{static_cast<std::int32_t>(p.x / finest),
-                             static_cast<std::int32_t>(p.y / finest)};
-    };
-    for (std::size_t t = 0; t < net.triangles.size(); ++t) {
-        const glm::uvec3 i = net.triangles[t];
-        const glm::dvec2 corner[] = {net.knots[i.x], net.knots[i.y], net.knots[i.z]};
-        const glm::dvec2 low = floor(min(min(corner[0], corner[1]), corner[2]));
-        const glm::dvec2 high = ceil(max(max(corner[0], corner[1]), corner[2]));
-        const oracle::Triangle triangle{fixed(corner[0]), fixed(corner[1]), fixed(corner[2])};
-        for (int y = std::max(static_cast<int>(low.y), 0); y < std::min<double>(high.y, window);
-             ++y) {
-            for (int x = std::max(static_cast<int>(low.x), 0); x < std::min<double>(high.x, window);
-                 ++x) {
-                if (oracle::covers(triangle, fixed({x + 0.5, y + 0.5}))) {
-                    owner(x, y) = static_cast<std::int32_t>(t);
-                }
-            }
-        }
-    }
-    return owner;
-}
-
 struct Grey {
     template <class T>
     struct Varyings {
@@ -152,11 +94,11 @@ Stage stage_of_net(const Net& net, int bits) {
         s.mesh.positions.emplace_back(glm::round(p / unit) * unit, 0.5);
     }
     s.mesh.triangles = net.triangles;
-    Stage stage = stage_of(std::move(s), window, window,
+    Stage stage = stage_of(std::move(s), net_window, net_window,
                            [](const Scene&, const Material&) { return Grey(); });
     glm::mat4 clip_from_pixels(1.0F);
-    clip_from_pixels[0][0] = 2.0F / window;
-    clip_from_pixels[1][1] = -2.0F / window;
+    clip_from_pixels[0][0] = 2.0F / net_window;
+    clip_from_pixels[1][1] = -2.0F / net_window;
     clip_from_pixels[3] = {-1, 1, 0, 1};
     stage.view.clip_from_world = clip_from_pixels;
     return stage;
@@ -176,7 +118,7 @@ void add_coverage(std::vector<Contender>& all, double pixels, const char* name) 
             for (std::size_t i = 0; i < exact.pixels().size(); ++i) {
                 wrong += found.pixels()[i] != exact.pixels()[i] ? 1 : 0;
             }
-            const double share = static_cast<double>(wrong) / (window * window);
+            const double share = static_cast<double>(wrong) / (net_window * net_window);
             const std::string method = (rasterizer == Rasterizer::tiles ? "tiles " : "scanline ") +
                                        std::to_string(bits) + " bits";
             all.push_back(frame_contender(method, stage, settings,

@@ -36,7 +36,7 @@ struct Frame {
 
 // Questions of one number type. Answers stand row by row.
 struct Batch {
-    std::string number;  // "float" or "double"
+    std::string number;  // "float", "double" or "lanes"
     std::size_t columns, answers_a_row;
     std::vector<double> questions;
     std::vector<Check> checks;

@@ -4,6 +4,7 @@
 
 #include "tests/grading/case.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -19,7 +20,8 @@ struct Identity {
 // that this tree has not.
 Lesson cases_of(const std::string& lesson, const std::optional<Identity>& identity);
 
-// The lessons that are graded, in order.
+// The lessons that are graded, in order, and the file that a lesson's cases come from.
 std::vector<std::string> graded_lessons();
+std::filesystem::path lesson_file(const std::string& lesson);
 
 }  // namespace glint::grading

@@ -39,16 +39,51 @@ void copy_headers(const fs::path& root, const fs::path& folder, const fs::path& 
 
 // The students' side of the runner. The lesson's header comes last, so that its macros reach
 // nothing but itself and the questions.
+bool asks_lanes(const Lesson& lesson) {
+    for (const Task& task : lesson.tasks) {
+        for (const Case& c : task.cases) {
+            for (const Batch& b : c.batches) {
+                if (b.number == "lanes") {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
 std::string answers_source(const Lesson& lesson) {
-    return "#include \"tests/grading/runner/question.hpp\"\n#include \"lessons/" + lesson.name +
-           "/" + lesson.header + "\"\nnamespace glint {\n#include \"tests/grading/questions/" +
-           lesson.name +
-           ".hpp\"\n}\n"
-           "void glint_answer(std::uint32_t task, bool is_float, const double* in, double* out) {\n"
-           "    using namespace glint;\n"
-           "    is_float ? answer<float>(static_cast<int>(task), In<float>(in), Out<float>(out))\n"
-           "             : answer<double>(static_cast<int>(task), In<double>(in), "
-           "Out<double>(out));\n}\n";
+    std::string source =
+        "#include \"tests/grading/runner/question.hpp\"\n"
+        "#include \"tests/grading/runner/wire.hpp\"\n"
+        "#include \"lessons/" +
+        lesson.name + "/" + lesson.header +
+        "\"\nnamespace glint {\n#include \"tests/grading/questions/" + lesson.name + R"(.hpp"
+template <Real T>
+void answer_row(const grading::Request& asked, const double* in, std::size_t row, double* out) {
+    answer<T>(static_cast<int>(asked.task), In<T>(in, asked.rows, asked.columns, row),
+              Out<T>(out, row));
+}
+}
+void glint_answer(const glint::grading::Request& asked, const double* in, std::size_t row,
+                  double* out) {
+    using glint::grading::Number;
+    switch (asked.number) {
+        case Number::as_double: return glint::answer_row<double>(asked, in, row, out);
+        case Number::as_float: return glint::answer_row<float>(asked, in, row, out);
+)";
+    if (asks_lanes(lesson)) {
+        source +=
+            "        case Number::as_lanes:\n"
+            "            return glint::answer_row<glint::Float<4>>(asked, in, row, out);\n";
+    }
+    return source + "        default: return;\n    }\n}\n";
+}
+
+Number number_of(const Batch& batch) {
+    return batch.number == "double"  ? Number::as_double
+           : batch.number == "float" ? Number::as_float
+                                     : Number::as_lanes;
 }
 
 Program compiler(std::vector<std::string> arguments) {
@@ -159,6 +194,12 @@ std::vector<std::size_t> order_of(const Batch& batch, int order) {
     return rows;
 }
 
+// Lanes have other neighbours the second time.
+const char* inconstant(const Batch& batch) {
+    return batch.number == "lanes" ? "the answer in a lane depends on what is in the others"
+                                   : "answers the same question differently the second time";
+}
+
 bool same(double a, double b) {
     return a == b || (a != a && b != b);
 }
@@ -225,8 +266,7 @@ Answered Workshop::ask(int task, const Batch& batch) {
         return second;
     }
     if (!std::equal(first.answers.begin(), first.answers.end(), second.answers.begin(), same)) {
-        return bad_end(Verdict::wrong, "answers the same question differently the second time",
-                       first.seconds);
+        return bad_end(Verdict::wrong, inconstant(batch), first.seconds);
     }
     first.seconds = std::max(first.seconds, second.seconds);
     return first;
@@ -237,7 +277,7 @@ Answered Workshop::ask_once(int task, const Batch& batch, int order) {
     const std::size_t width = batch.answers_a_row;
     const Request request{.tag = std::random_device()() * 0x100000001ULL,
                           .task = static_cast<std::uint32_t>(task),
-                          .is_float = batch.number == "float",
+                          .number = number_of(batch),
                           .rows = static_cast<std::uint32_t>(rows.size()),
                           .columns = static_cast<std::uint32_t>(batch.columns),
                           .answers_a_row = static_cast<std::uint32_t>(width)};
@@ -264,7 +304,7 @@ Answered Workshop::ask_once(int task, const Batch& batch, int order) {
     for (std::size_t i = 0; i < numbers; ++i) {
         double& place = a.answers[rows[i / width] * width + i % width];
         if (i / width >= batch.rows() && !same(place, answers[i])) {
-            return bad_end(Verdict::wrong, "answers the same question differently", e.seconds);
+            return bad_end(Verdict::wrong, inconstant(batch), e.seconds);
         }
         place = answers[i];
     }

@@ -20,7 +20,7 @@ class Maker {
   public:
     Maker(const Wanted& wanted, const std::string& number)
         : w_(wanted),
-          single_(number == "float"),
+          single_(number != "double"),
           task_(task_number(wanted.task.at("id"))),
           random_(wanted.seed) {
         batch_.number = number;

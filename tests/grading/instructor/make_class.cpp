@@ -10,6 +10,8 @@
 namespace {
 
 using namespace glint::grading;
+using glint::read_text;
+using glint::write_text;
 namespace fs = std::filesystem;
 
 const fs::path root = SOURCE_FOLDER;

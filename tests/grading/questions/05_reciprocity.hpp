@@ -5,7 +5,7 @@ void answer(int task, In<T> in, Out<T> out) {
         const Incidence<T> other = swapped(g);
         out(Vec3<T>(other.NL, other.NV, other.LV));
     } else if (task == 2) {
-        const ClassicPhong brdf{.n = static_cast<float>(in.number())};
+        const ClassicPhong brdf{.n = in.uniform_number()};
         out(brdf(g).r);
     }
 }

@@ -4,7 +4,7 @@ void answer(int task, In<T> in, Out<T> out) {
     const Rgb<float> second = in.uniform();
     if (task == 1) {
         const Incidence<T> g = in.incidence();
-        const auto n = static_cast<float>(in.number());
+        const auto n = in.uniform_number();
         out(EnginePhong{.Cd = first, .F0 = second, .n = n}(g));
     } else if (task == 2) {
         out(EnginePhong{.Cd = first, .F0 = second, .n = 1}.ambient_albedo());

@@ -7,7 +7,8 @@
 #include <unistd.h>
 
 // The students' side, made by the grader from the lesson's questions and the student's header.
-void glint_answer(std::uint32_t task, bool is_float, const double* question, double* answer);
+void glint_answer(const glint::grading::Request& asked, const double* questions, std::size_t row,
+                  double* answer);
 
 namespace {
 
@@ -61,9 +62,7 @@ int main() {
     double* answer = numbers(answers);
     read_all(question, questions * sizeof(double));
     for (std::uint32_t i = 0; i < request.rows; ++i) {
-        glint_answer(request.task, request.is_float != 0,
-                     question + std::size_t{i} * request.columns,
-                     answer + std::size_t{i} * request.answers_a_row);
+        glint_answer(request, question, i, answer + std::size_t{i} * request.answers_a_row);
     }
     const Reply reply{reply_tag(request.tag), request.rows};
     write_all(&reply, sizeof reply);

@@ -5,12 +5,16 @@
 
 namespace glint::grading {
 
+// What the student's functions are called with.
+enum class Number : std::uint32_t { as_double, as_float, as_lanes };
+
 // Followed by rows x columns numbers.
 struct Request {
     static constexpr std::uint64_t sign = 0x746e696c67206b61;
     std::uint64_t head = sign;
     std::uint64_t tag;  // never the same
-    std::uint32_t task, is_float;
+    std::uint32_t task;
+    Number number;
     std::uint32_t rows, columns, answers_a_row, reserved = 0;
 };
 

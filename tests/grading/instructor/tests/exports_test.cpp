@@ -131,13 +131,6 @@ TEST_CASE("JUnit is XML with the right counts") {
     CHECK(xml.find("name=\"some &lt;n&gt;\" time=\"0.25\"") != std::string::npos);
     CHECK(xml.find("name=\"other\" time=\"0\"") != std::string::npos);
     CHECK(xml.find("&lt;/failure&gt;") != std::string::npos);
-    if (std::system("command -v xmllint >/dev/null") == 0) {
-        const auto file = std::filesystem::temp_directory_path() /
-                          ("glint_junit_" + std::to_string(getpid()) + ".xml");
-        write_text(file, xml);
-        CHECK(std::system(("xmllint --noout " + file.string()).c_str()) == 0);
-        std::filesystem::remove(file);
-    }
 }
 
 TEST_CASE("Markdown, annotations, HTML and CSV keep strangers' words in their place") {

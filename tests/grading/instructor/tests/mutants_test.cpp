@@ -16,7 +16,7 @@ LessonResult graded(const Lesson& lesson, const Variant& v) {
     return score(lesson, [&](int task, const Case&, const Batch& batch) {
         Answered a{Verdict::ok, std::vector<double>(batch.rows() * batch.answers_a_row), "", 0};
         for (std::size_t i = 0; i < batch.rows(); ++i) {
-            (batch.number == "float" ? v.as_float : v.as_double)(
+            (batch.number == "double" ? v.as_double : v.as_float)(
                 task, &batch.questions[i * batch.columns], &a.answers[i * batch.answers_a_row]);
         }
         return a;

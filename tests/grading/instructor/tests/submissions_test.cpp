@@ -2,7 +2,10 @@
 // of either.
 #include "tests/grading/instructor/tests/submissions.hpp"
 
+#include "framework/image/file.hpp"
+#include "tests/grading/cases.hpp"
 #include "tests/grading/doctor.hpp"
+#include "tests/grading/instructor/marks.hpp"
 #include "tests/grading/sandbox/confine.hpp"
 
 #include <doctest/doctest.h>
@@ -113,6 +116,27 @@ TEST_CASE("the verdicts are the same in another order and in parallel") {
         int status = 0;
         REQUIRE(waitpid(worker, &status, 0) == worker);
         CHECK(status == 0);
+    }
+}
+
+TEST_CASE("what lanes do to each other is wrong, though right for one number") {
+    const fs::path root = SOURCE_FOLDER;
+    const std::string header = "lessons/09_normalised_phong/normalised_phong.hpp";
+    const auto regions = read_marks(header, read_text(root / header));
+    const std::string text =
+        with_answer(regions, "09.2",
+                    {"    if (any(v_dot_r(g) <= T(0.0F))) {", "        return T(0.0F);", "    }",
+                     "    return phong_normalisation(n) * phong_lobe(g, n);"});
+    const LessonResult r = grade_lesson(
+        cases_of("09_normalised_phong", Identity{"an unknown secret", "", ""}), {text, ""}, root);
+    CAPTURE(r.words);
+    CHECK(r.verdict == Verdict::wrong);
+    CHECK(r.tasks.at(0).earned() == r.tasks.at(0).points());
+    for (const CaseResult& c : r.tasks.at(1).cases) {
+        CAPTURE(c.name);
+        const bool asks_all_around = c.name == "reflects less aslant";
+        CHECK((c.verdict == Verdict::wrong) == asks_all_around);
+        CHECK((c.words.find("lane") != std::string::npos) == asks_all_around);
     }
 }
 

@@ -7,9 +7,14 @@ namespace {
 
 constexpr Rgba8 line{24, 24, 24, 255};
 
-// By the command line, or in the window.
+// By the command line, or in the window, or to be chosen by a plan.
 bool is_set(const Lesson& lesson, const Options& o, const std::string& parameter) {
-    return std::find(o.set.begin(), o.set.end(), parameter) != o.set.end() ||
+    const auto chosen = [&](const Parameter& p) {
+        return p.name == parameter && !p.forms.empty() && o.tolerance > 0;
+    };
+    const auto& all = lesson.parameters.all();
+    return std::any_of(all.begin(), all.end(), chosen) ||
+           std::find(o.set.begin(), o.set.end(), parameter) != o.set.end() ||
            o.parameters[parameter] != lesson.parameters[parameter];
 }
 

@@ -14,7 +14,7 @@ struct PanelOptions {
 };
 
 // The lesson's panels, from left to right; one that fills the picture where the lesson has none, or
-// where the command line sets a parameter that the panels differ in.
+// where the command line sets a parameter that the panels differ in, or --tolerance chooses it.
 std::vector<PanelOptions> panels_of(const Lesson& lesson, const Options& options);
 
 // Puts the drawing of a panel that begins at left into the whole, options.width x options.height, a

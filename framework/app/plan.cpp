@@ -13,7 +13,9 @@
 namespace glint {
 namespace {
 
-constexpr int rounds = 5;       // frames that a way is timed by
+constexpr int least_rounds = 5;  // frames that a way is timed by ...
+constexpr int most_rounds = 25;  // ... more, if all take less time together
+constexpr double enough_ms = 150;
 constexpr double pays = 0.98;   // a saving below 2 % of the time is none
 constexpr double safety = 2.0;  // on errors that a sample of the picture shows
 constexpr int one_in = 4;       // columns, and rows, of the picture that the sample has
@@ -85,10 +87,15 @@ class Planner {
             measure(plan);
             const std::size_t useless = first_that_does_not_pay(plan, levels);
             if (useless == levels.size()) {
-                return plan;
+                break;
             }
             levels[useless] = 0;
         }
+        if (plan.savings.empty() || plan.chosen.ms > plan.full.ms) {
+            plan.savings.clear();
+            plan.chosen = plan.full;
+        }
+        return plan;
     }
 
   private:
@@ -175,12 +182,15 @@ class Planner {
         }
         SrgbImage srgb;
         const View view = view_of(scene_, options_.width, options_.height);
-        for (int round = 0; round < rounds; ++round) {
+        double spent = 0;
+        for (int round = 0; round < least_rounds || (round < most_rounds && spent < enough_ms);
+             ++round) {
             for (std::size_t i = 0; i < ways.size(); ++i) {
                 const Statistics s =
                     renderers[i].render(scene_.mesh, view, sets[i].shaders,
                                         {.srgb = &srgb, .background = scene_.background});
                 ways[i]->ms = std::min(ways[i]->ms, s.frame_ms);
+                spent += s.frame_ms;
             }
         }
     }
@@ -229,9 +239,10 @@ std::string plan_table(const Plan& plan) {
         << "  chosen    " << plan.chosen << ", " << std::setprecision(2)
         << plan.full.ms / plan.chosen.ms << " times as fast\n";
     for (const Saving& s : plan.savings) {
-        out << "    " << s.cheaper << "; with " << s.full << ": " << std::showpos << std::setprecision(0)
-            << 100 * (s.without.ms / plan.chosen.ms - 1) << std::noshowpos << " % time, error "
-            << std::setprecision(3) << plan.chosen.error << " -> " << s.without.error << '\n';
+        out << "    " << s.cheaper << "; with " << s.full << ": " << std::showpos
+            << std::setprecision(0) << 100 * (s.without.ms / plan.chosen.ms - 1) << std::noshowpos
+            << " % time, error " << std::setprecision(3) << plan.chosen.error << " -> "
+            << s.without.error << '\n';
     }
     return out.str();
 }

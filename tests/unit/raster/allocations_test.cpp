@@ -80,9 +80,9 @@ void check_scene(Mesh mesh, const Camera& camera, int materials) {
         const std::size_t material = i * 7 % static_cast<std::size_t>(materials);
         mesh.materials.push_back(static_cast<std::uint16_t>(material));
     }
-    std::vector<Shader> shaders;
-    for (int i = 0; i < materials; ++i) {
-        shaders.push_back(i % 2 == 0 ? plug(show_position) : plug(show_uv));
+    std::vector<Shader> shaders(static_cast<std::size_t>(materials), plug(show_uv));
+    for (std::size_t i = 0; i < shaders.size(); i += 2) {
+        shaders[i] = plug(show_position);
     }
     const View view{clip_from_world(camera, 1.5F), 300, 200};
     for (const int samples : {1, 4}) {

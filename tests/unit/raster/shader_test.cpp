@@ -205,9 +205,9 @@ TEST_CASE("each triangle is shaded by the shader of its material") {
             for (int y = 0; y < 70; ++y) {
                 for (int x = 0; x < 150; ++x) {
                     const glm::vec3 at(x + 0.5, y + 0.5, 0.5);
-                    const Rgb<float> by_material[] = {colours[0].colour,
-                                                      sixteen(sixteen.vertex({at, {}, {}})),
-                                                      colours[1].colour, at, colours[2].colour};
+                    const Rgb<float> by_material[] = {
+                        colours[0].colour, sixteen(decltype(sixteen)::vertex({at, {}, {}})),
+                        colours[1].colour, at, colours[2].colour};
                     const Rgb<float> expected = by_material[x / 3 * 7 % 5];
                     worst = std::max(worst, double{length(d.linear(x, y) - expected)} /
                                                 (1 + double{length(expected)}));

@@ -71,7 +71,7 @@ TEST_CASE("sRGB of NaN") {
             return Errors{value(T(1.055F) * pow(not_a_number, T(1 / 2.4F)) - T(0.055F)),
                           1.0 * code_by_glint(not_a_number)};
         }),
-        double{infinity}, 0);
+        infinite, 0);
 }
 
 // Structural similarity of two constant pictures, without the constants that keep it from 0/0.
@@ -104,7 +104,7 @@ TEST_CASE("SSIM and FLIP of constant pictures") {
             return Errors{bare_ssim<T>(0, 0) - 1,
                           std::abs(m.ssim - 1) + m.flip_mean + m.flip_max + m.rmse};
         }),
-        double{infinity}, 0);
+        infinite, 0);
     const Metrics apart = measure_difference(SrgbImage(16, 16, {0, 0, 0, 255}),
                                              SrgbImage(16, 16, {255, 255, 255, 255}));
     CHECK(std::isfinite(apart.ssim + apart.flip_mean + apart.flip_max + apart.psnr));

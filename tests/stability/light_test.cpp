@@ -67,7 +67,7 @@ TEST_CASE("a point light at distance 0") {
             const Lit<NormalisedLambert>::Varyings<T> in_its_place{way, N};
             return Errors{value(naive), value(lit(in_its_place).g)};
         }),
-        double{infinity}, 0);
+        infinite, 0);
 }
 
 TEST_CASE("a point light at distance 1e-20") {
@@ -80,7 +80,7 @@ TEST_CASE("a point light at distance 1e-20") {
                            [&](const Incident<T>& light) { arrives = value(light.irradiance.g); });
             return Errors{value(T(1.0F) / (d * d)), arrives};
         }),
-        double{infinity}, most * 1.000001);
+        infinite, most * 1.000001);
 }
 
 }  // namespace

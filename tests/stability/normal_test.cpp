@@ -30,7 +30,7 @@ TEST_CASE("normalising a normal of length 0") {
             return Errors{std::isnan(value(normalize(N).z)) ? nan : value(naive) - 0.4,
                           std::abs(value(glint.g) - 0.4)};
         }),
-        double{infinity}, 1e-7);
+        infinite, 1e-7);
 }
 
 struct ShowNormal {

@@ -20,7 +20,7 @@ TEST_CASE("pow at 0: 2^(n log2 x) of x = 0, n = 0") {
             return Errors{std::abs(value(exp2(zero * log2(zero))) - 1),
                           std::abs(value(pow(zero, zero)) - 1)};
         }),
-        double{infinity}, 0);
+        infinite, 0);
 }
 
 TEST_CASE("the lobe at n = 0: pow(max(V.R, 0), 0) behind the mirror direction") {

@@ -25,10 +25,12 @@ template <class Make>
 std::string picture_fault_with(const World& world, Make make) {
     using Brdf = decltype(make(world.surfaces[0]));
     std::vector<Lit<Brdf>> lit;
+    lit.reserve(world.surfaces.size());
     for (const Surface& s : world.surfaces) {
         lit.push_back({make(s), world.lighting, world.camera.eye});
     }
     std::vector<Shader> shaders;
+    shaders.reserve(lit.size());
     for (const Lit<Brdf>& shader : lit) {
         shaders.push_back(plug(shader));
     }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <optional>
 
@@ -45,9 +46,8 @@ std::optional<Found> search(std::uint64_t seed, double seconds, std::uint64_t wo
     return smallest;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// Whether a fault was found.
+bool run(int argc, char** argv) {
     CLI::App app{
         "Draws random scenes in every way that there is and looks for radiance that is no number,\n"
         "negative or more than the light and the material allow, and for pixels that depend on "
@@ -56,17 +56,33 @@ int main(int argc, char** argv) {
         "property_run"};
     double seconds = 10;
     std::uint64_t worlds = 0;
-    std::uint64_t seed =
+    auto seed =
         static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
     app.add_option("--seconds", seconds, "how long to look (10)")->check(CLI::Range(0.0, 1e6));
     app.add_option("--seed", seed, "of the first world (the time); the next has the next one");
     app.add_option("--worlds", worlds, "look at so many worlds, however long it takes");
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return false;
+    }
     std::cout << "property_run --seed " << seed << '\n' << std::flush;
     const auto found = search(seed, seconds, worlds);
     if (found) {
         std::cout << "smallest: " << words(found->world) << ": " << found->fault
                   << "\nreplay:   property_run --seed " << found->world.seed << " --worlds 1\n";
     }
-    return found ? 1 : 0;
+    return found.has_value();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv) ? 1 : 0;
+    } catch (const std::exception& e) {
+        std::cerr << "error: " << e.what() << '\n';
+        return 2;
+    }
 }

@@ -20,8 +20,12 @@ struct Errors {
     double glint = 0;
 };
 
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 inline double or_infinite(double error) {
-    return std::isnan(error) ? double{infinity} : error;
+    if (std::isnan(error)) {
+        return infinite;
+    }
+    return error;
 }
 
 // Larger errors replace smaller ones.
@@ -34,7 +38,7 @@ inline void add(Errors& worst, const Errors& e) {
 // for it is to fail in all of them, and Glint's largest.
 template <class F>
 Errors in_floats(F&& f) {
-    Errors least{double{infinity}, 0};
+    Errors least{infinite, 0};
     const auto join = [&](const Errors& e) {
         const double naive = or_infinite(e.naive) <= least.naive ? e.naive : least.naive;
         add(least, e);

@@ -14,6 +14,7 @@ namespace {
 std::vector<Row> time_all(const std::vector<Contender>& contenders, JudgedBy judged_by, int rounds,
                           const Clock& clock) {
     std::vector<std::function<void()>> work;
+    work.reserve(contenders.size());
     for (const Contender& c : contenders) {
         work.push_back(c.work);
     }

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace {
@@ -50,7 +51,7 @@ void chart(const Family& family, const std::string& results, const std::string& 
     write_text(results + "/" + family.name + ".csv", csv(family, rows));
     const std::string text = with_table(read_text(document), "machine", machine());
     write_text(document, with_table(text, family.name, table(family, rows)));
-    std::cerr << ", " << static_cast<int>((steady_ms() - start) / 1000 + 0.5) << " s\n";
+    std::cerr << ", " << std::lround((steady_ms() - start) / 1000) << " s\n";
 }
 
 int run(int argc, char** argv) {

@@ -34,6 +34,7 @@ std::string cell(const Row& row) {
 // How far the quartiles are from the median, in percent of it; the median of all rows.
 double usual_spread(const std::vector<Row>& rows) {
     std::vector<double> spread;
+    spread.reserve(rows.size());
     for (const Row& row : rows) {
         spread.push_back(100 * std::max(row.ns_high - row.ns, row.ns - row.ns_low) / row.ns);
     }

@@ -95,9 +95,9 @@ struct Form {
 
 class Lesson {
   public:
-    Lesson(std::vector<Contender>& all, const std::string& name, const Stage& full)
+    Lesson(std::vector<Contender>& all, std::string name, const Stage& full)
         : all_(all),
-          name_(name),
+          name_(std::move(name)),
           smooth_(draw_256_samples(full)),
           exact_(draw_codes(full, {.rasterizer = Rasterizer::reference})) {}
 

@@ -72,11 +72,11 @@ void add_exact(Material& material, const Metal& m) {
 
 void add_by_f0(Material& material, const Metal& m) {
     Rgb<float> F0(0.0F);
-    Rgb<float> F0_without_k(0.0F);
+    Rgb<float> without_k(0.0F);
     Rgb<float> dip(0.0F);
     for (int band = 0; band < 3; ++band) {
         F0[band] = f0_conductor(m.ior[band], m.k[band]);
-        F0_without_k[band] = f0_dielectric(m.ior[band]);
+        without_k[band] = f0_dielectric(m.ior[band]);
         dip[band] = lazanyi_dip(F0[band], exact(m, band, 1.0F / 7.0F));
     }
     material.add("Schlick", [F0](int band, const Wide& c) { return schlick(Wide(F0[band]), c); });
@@ -87,8 +87,8 @@ void add_by_f0(Material& material, const Metal& m) {
     });
     material.add("F0 at every angle", [F0](int band, const Wide&) { return Wide(F0[band]); });
     if (m.k.r > 0) {
-        material.add("Schlick without k", [F0_without_k](int band, const Wide& c) {
-            return schlick(Wide(F0_without_k[band]), c);
+        material.add("Schlick without k", [without_k](int band, const Wide& c) {
+            return schlick(Wide(without_k[band]), c);
         });
     }
 }

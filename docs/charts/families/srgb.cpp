@@ -83,8 +83,8 @@ Errors errors_of(const Columns& in, const Columns& out) {
 
 class Values {
   public:
-    Values(std::vector<Contender>& all, const char* name, const std::shared_ptr<const Columns>& in)
-        : all_(all), name_(name), in_(in) {}
+    Values(std::vector<Contender>& all, const char* name, std::shared_ptr<const Columns> in)
+        : all_(all), name_(name), in_(std::move(in)) {}
 
     template <class T, class F>
     void add(const char* method, const F& f) {

@@ -43,6 +43,11 @@ void override_lights(const Options& o, Lighting& lighting) {
         lighting.point = o.point_lights;
     }
     lighting.ambient = o.ambient.value_or(lighting.ambient);
+    // What brings no light is not computed.
+    const Rgb<float> black(0.0F);
+    std::erase_if(lighting.directional,
+                  [&](const DirectionalLight& l) { return l.irradiance == black; });
+    std::erase_if(lighting.point, [&](const PointLight& l) { return l.intensity == black; });
 }
 
 void override_camera(const Options& o, const Mesh& mesh, Camera& camera) {

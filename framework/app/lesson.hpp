@@ -51,7 +51,8 @@ auto shade_each_material(Make make) {
     };
 }
 
-// The scene that the options ask for: the lesson's stage or a file, and what overrides it. Warnings
+// The scene that the options ask for: the lesson's stage or a file, and what overrides it; lights
+// that are black are left out. Warnings
 // about a file go to standard error. Error where it cannot be had.
 Scene make_scene(const Lesson& lesson, const Options& options);
 

@@ -32,7 +32,8 @@ void add(const Statistics& part, Statistics& sum) {
         sum.*member += part.*member;
     }
     for (const auto member : {&Statistics::triangles_in, &Statistics::triangles_not_finite,
-                              &Statistics::triangles_visible, &Statistics::fragments_shaded}) {
+                              &Statistics::triangles_visible, &Statistics::fragments_shaded,
+                              &Statistics::tiles_empty}) {
         sum.*member += part.*member;
     }
 }

@@ -79,6 +79,7 @@ void write_statistics(const Lesson& lesson, const Options& o, const Drawing& dra
     const Statistics& frame = drawing.frames.front();
     json["frames"] = drawing.frames.size();
     json["fragments_shaded"] = frame.fragments_shaded;
+    json["tiles_empty"] = frame.tiles_empty;
     json["triangles_in"] = frame.triangles_in;
     json["triangles_visible"] = frame.triangles_visible;
     json["triangles_not_finite"] = frame.triangles_not_finite;

@@ -62,6 +62,7 @@ struct Statistics {
     std::int64_t triangles_not_finite = 0;  // dropped: a vertex is NaN or infinite
     std::int64_t triangles_visible = 0;     // won at least one sample
     std::int64_t fragments_shaded = 0;
+    std::int64_t tiles_empty = 0;  // cost one clear; scanline has none
 };
 
 // A vertex in window space.

@@ -85,7 +85,7 @@ struct TileBuffer {
     std::array<std::vector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
     std::vector<std::int32_t> codes;           // sRGB by pixel, as Rgba8 lies in memory
 
-    std::int64_t fragments_shaded = 0;
+    std::int64_t fragments_shaded = 0, tiles_empty = 0;
     double visibility_seconds = 0, shading_seconds = 0, output_seconds = 0;
 };
 

@@ -58,7 +58,7 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
                                   std::span<const Shader> shaders, const Target& target) {
     const auto start = Clock::now();
     for (TileBuffer& buffer : buffers_) {
-        buffer.fragments_shaded = 0;
+        buffer.fragments_shaded = buffer.tiles_empty = 0;
         buffer.visibility_seconds = buffer.shading_seconds = buffer.output_seconds = 0;
     }
     won_a_sample_.assign(mesh.triangles.size(), 0);
@@ -81,6 +81,7 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
     const double share = 1e3 / pool_.threads();
     for (const TileBuffer& buffer : buffers_) {
         s.fragments_shaded += buffer.fragments_shaded;
+        s.tiles_empty += buffer.tiles_empty;
         s.visibility_ms += share * buffer.visibility_seconds;
         s.shading_ms += share * buffer.shading_seconds;
         s.output_ms += share * buffer.output_seconds;
@@ -130,6 +131,7 @@ void TileRasterizer::draw_tile(const Frame& frame, std::size_t tile, TileBuffer&
         write_tile(frame, buffer);
     } else {
         write_empty_tile(frame, buffer.x, buffer.y);
+        ++buffer.tiles_empty;
     }
     buffer.visibility_seconds += std::chrono::duration<double>(found - start).count();
     buffer.shading_seconds += std::chrono::duration<double>(shaded - found).count();

@@ -43,10 +43,9 @@ inline float least_highlight(const Parameters& p) {
 inline auto thrifty(const Scene& s, const Material& m, const Parameters& p) {
     const Surface surface = surface_of(m);
     const bool metal = surface.k != Rgb<float>(0.0F);
-    const EnginePhong bound{surface.Cd, surface.F0, surface.n};
     return Lit<ThriftyPhong>{
         {surface, static_cast<Fresnel>(static_cast<int>(p[metal ? "metals" : "dielectrics"])),
-         p["power"] > 0, highlight_from(bound, s.lighting, least_highlight(p))},
+         p["power"] > 0, highlight_from(surface, s.lighting, least_highlight(p))},
         s.lighting,
         s.camera.eye};
 }

@@ -42,6 +42,12 @@ T short_pow(const T& x, const T& n) {
     }
 }
 
+// Lesson 15's; what reflects nothing has no highlight anywhere.
+inline float highlight_from(const Surface& s, const Lighting& lighting, float least) {
+    return s.F0 == Rgb<float>(0.0F) ? 2.0F
+                                    : highlight_from(EnginePhong{s.Cd, s.F0, s.n}, lighting, least);
+}
+
 struct ThriftyPhong {
     Surface surface;
     Fresnel fresnel;

@@ -25,6 +25,7 @@ Drawing five_frames() {
         s.triangles_in = 30;
         s.triangles_visible = 20;
         s.triangles_not_finite = 1;
+        s.tiles_empty = 6;
         d.frames.push_back(s);
     }
     return d;
@@ -52,6 +53,24 @@ TEST_CASE("the JSON has least and median times, and the counts") {
     CHECK(s["triangles_in"] == 30);
     CHECK(s["triangles_visible"] == 20);
     CHECK(s["triangles_not_finite"] == 1);
+    CHECK(s["tiles_empty"] == 6);
+}
+
+TEST_CASE("what is left out of a frame is counted") {
+    Options o = small_options();
+    o.width = 640;  // 10 x 2 tiles; the ball and the wall are in the middle
+    o.height = 128;
+    o.settings.cull = Cull::back;
+    o.lights = {{{0, 0, 1}, Rgb<float>(1.0F)}, {{0, 1, 0}, Rgb<float>(0.0F)}};
+    o.point_lights = {{{0, 0, 1}, Rgb<float>(0.0F)}};
+    const Scene scene = make_scene(small_lesson(), o);
+    CHECK(scene.lighting.directional.size() == 1);
+    CHECK(scene.lighting.point.empty());
+    const Statistics s = draw(small_lesson(), o, scene).frames.front();
+    CHECK(s.tiles_empty == 16);
+    CHECK(s.triangles_visible > 0);
+    CHECK(s.triangles_visible <= s.triangles_in / 2 + 8);  // half of the ball looks away
+    CHECK(s.fragments_shaded < 4 * 64 * 64);
 }
 
 TEST_CASE("the JSON says what drew it") {

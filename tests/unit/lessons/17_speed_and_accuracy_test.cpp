@@ -74,6 +74,21 @@ TEST_CASE("17 what a surface is") {
     CHECK(std::isfinite(mirror.dip.r));
 }
 
+TEST_CASE("17 what reflects nothing has no highlight") {
+    Lighting lights;
+    lights.directional = {{{0, 0, 1}, {1, 1, 1}}};
+    const Surface black = surface_of({.specular = Rgb<float>(0.0F)});
+    CHECK(highlight_from(black, lights, 0) > 1);
+    const Surface s = surface_of(glaze);
+    CHECK(highlight_from(s, lights, 0) < -1);
+    CHECK(highlight_from(s, lights, 1e-3F) ==
+          highlight_from(EnginePhong{s.Cd, s.F0, s.n}, lights, 1e-3F));
+    const Incidence<double> mirror = incidence_of_angles(0.5, 0.5, pi);
+    const ThriftyPhong exact{black, Fresnel::exact, false, -2};
+    const ThriftyPhong without{black, Fresnel::exact, false, highlight_from(black, lights, 0)};
+    CHECK(exact(mirror) == without(mirror));
+}
+
 TEST_CASE_TEMPLATE("17 four terms are off by no more than is said", T, float, Float4, Float8,
                    Float16) {
     for (const float n : {0.5F, 3.3F, 40.5F, 150.5F, 1e4F}) {

@@ -26,12 +26,12 @@ cd "$scratch"
 # ---- a project and what lessons/run leaves -------------------------------------------------------
 
 make_project() {
-  mkdir -p project/framework/app/programs project/docs/charts out
+  mkdir -p project/framework/app/programs project/docs/charts/results out
   cp -r "$top/lessons" project/
   cp "$top/framework/app/programs/gallery.html" project/framework/app/programs/
   printf '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"></svg>' \
-    >project/docs/charts/time_and_error.svg
-  touch project/docs/charts/note.txt
+    >project/docs/charts/results/time_and_error.svg
+  touch project/docs/charts/results/note.txt
 }
 
 # The golden pictures, with made-up times.

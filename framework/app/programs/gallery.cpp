@@ -3,7 +3,7 @@
 // Of each lesson it reads what lessons/run leaves in OUT, the picture NAME.png and the statistics
 // NAME.json, and of it and the one before, A_to_B.heat.png and A_to_B.json; further, where they
 // are, the heading of lessons/NAME/README.md and lessons/NAME/formula.mathml. All of
-// docs/charts/*.svg comes last. How it looks is told by gallery.html.
+// docs/charts/results/*.svg comes last. How it looks is told by gallery.html.
 #include "framework/app/programs/page.hpp"
 #include "framework/image/file.hpp"
 #include "framework/image/heat_map.hpp"
@@ -87,7 +87,6 @@ Lesson read_lesson(const fs::path& project, const fs::path& out, const std::stri
 }
 
 // ---- numbers
-// -------------------------------------------------------------------------------------
 
 std::string rounded(double value, int digits) {
     char text[64];
@@ -121,7 +120,6 @@ std::string gradient() {
 }
 
 // ---- parts of the page
-// ---------------------------------------------------------------------------
 
 std::string difference(const std::string& text, const fs::path& out, const Lesson& before,
                        const Lesson& lesson) {
@@ -214,7 +212,7 @@ std::string page(const fs::path& project, const fs::path& out,
     const json& s = lessons.front().statistics;
     return fill(t.page, {{"entry", entries},
                          {"lesson", sections},
-                         {"charts", charts(t, project / "docs/charts")},
+                         {"charts", charts(t, project / "docs/charts/results")},
                          {"gradient", gradient()},
                          {"lanes", s.at("lanes").dump()},
                          {"threads", s.at("threads").dump()},

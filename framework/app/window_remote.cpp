@@ -67,8 +67,7 @@ void apply(LivePicture& live, const PictureEvent& e) {
 
 }  // namespace
 
-// ---- the side of the window
-// ----------------------------------------------------------------------
+// ---- the side of the window ------------------------------------------------------------------
 
 RemotePicture::RemotePicture(const Options& options) : options_(options) {
     start();
@@ -227,8 +226,7 @@ void RemotePicture::redraw() {
     note({.kind = PictureEvent::Kind::redraw});
 }
 
-// ---- the side of the program that draws
-// ----------------------------------------------------------
+// ---- the side of the program that draws ------------------------------------------------------
 
 bool draws_for_window() {
     return has_role("draw");

@@ -25,14 +25,14 @@ constexpr const char* compiler = "GCC " __VERSION__;
 
 const Family families[] = {
     {"pow", "evaluation", JudgedBy::largest, 301, pow_contenders},
-    {"normalise", "evaluation", JudgedBy::largest, 301, normalise_contenders},
-    {"fresnel", "evaluation", JudgedBy::largest, 301, fresnel_contenders},
-    {"srgb", "evaluation", JudgedBy::largest, 301, srgb_contenders},
-    {"interpolation", "fragment", JudgedBy::largest, 301, interpolation_contenders},
+    {"normalise", "evaluation", JudgedBy::largest, 2001, normalise_contenders},
+    {"fresnel", "evaluation", JudgedBy::largest, 501, fresnel_contenders},
+    {"srgb", "evaluation", JudgedBy::largest, 1001, srgb_contenders},
+    {"interpolation", "fragment", JudgedBy::largest, 3001, interpolation_contenders},
     {"shading", "pixel", JudgedBy::rms, 101, shading_contenders},
     {"number_type", "fragment", JudgedBy::rms, 61, number_type_contenders},
     {"antialiasing", "pixel", JudgedBy::rms, 61, antialiasing_contenders},
-    {"captured", "evaluation", JudgedBy::rms, 101, captured_contenders},
+    {"captured", "evaluation", JudgedBy::rms, 201, captured_contenders},
     {"frames", "pixel", JudgedBy::rms, 25, frames_contenders},
 };
 

@@ -76,7 +76,9 @@ TEST_CASE("with a tolerance no pixel is further from the reference") {
             return read_pfm(folder / file);
         };
         const LinearImage reference = draw("--raster reference" + c.full, "reference.pfm");
-        for (const auto& [tolerance, limit] : tolerances_and_limits(c)) {
+        for (const auto& each : tolerances_and_limits(c)) {
+            const std::string& tolerance = each.first;
+            const double limit = each.second;
             CAPTURE(c.lesson);
             CAPTURE(c.words);
             CAPTURE(tolerance);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -22,8 +23,8 @@ float usual_distance(const Camera& home) {
 
 }  // namespace
 
-LivePicture::LivePicture(const Lesson& lesson, const Options& options)
-    : lesson_(lesson), options_(options) {
+LivePicture::LivePicture(const Lesson& lesson, Options options)
+    : lesson_(lesson), options_(std::move(options)) {
     restage();
 }
 

@@ -35,7 +35,7 @@ struct PictureState {
 class LivePicture final : public PictureSource {
   public:
     // The lesson must outlive it. Error where the scene cannot be had.
-    LivePicture(const Lesson& lesson, const Options& options);
+    LivePicture(const Lesson& lesson, Options options);
 
     void resize(int width, int height) override;
     void act(Action action) override;

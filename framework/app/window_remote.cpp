@@ -69,7 +69,7 @@ void apply(LivePicture& live, const PictureEvent& e) {
 
 // ---- the side of the window ------------------------------------------------------------------
 
-RemotePicture::RemotePicture(const Options& options) : options_(options) {
+RemotePicture::RemotePicture(Options options) : options_(std::move(options)) {
     start();
 }
 
@@ -96,6 +96,7 @@ void RemotePicture::start() {
     }
     std::vector<std::string> words = arguments();
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) {
         argv.push_back(word.data());
     }

@@ -12,7 +12,7 @@ namespace glint {
 class RemotePicture final : public PictureSource {
   public:
     // Starts the program with the arguments of this one.
-    explicit RemotePicture(const Options& options);
+    explicit RemotePicture(Options options);
     ~RemotePicture() override;
 
     // Goes on with the program as it is on disk now; camera and all else stay.

@@ -183,6 +183,7 @@ int bundle(const Options& o) {
     std::vector<std::string> words{script, o.archive, o.bundled_secret, o.c.order.assignment};
     words.insert(words.end(), o.c.order.lessons.begin(), o.c.order.lessons.end());
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) {
         argv.push_back(word.data());
     }

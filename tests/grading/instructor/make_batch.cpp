@@ -128,8 +128,10 @@ class Maker {
         batch_.frame = {width, height, {}, {}};
         for (int pixel = 0; pixel < width * height; pixel += w_.task.at("answers").get<int>()) {
             auto row = w_.asked.at("triangle").get<Numbers>();
-            row.push_back(pixel % width);
-            row.push_back(pixel / width);
+            const int x = pixel % width;
+            const int y = pixel / width;
+            row.push_back(x);
+            row.push_back(y);
             add_row(row);
             batch_.frame.pixels.push_back(pixel);
             batch_.frame.light.push_back(1);

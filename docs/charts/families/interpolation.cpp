@@ -18,6 +18,14 @@ struct Linear {
         return fma(T(per_pixel), x, T(at));
     }
 };
+// Side by side: columns farther apart may be in each other's way in the cache.
+struct alignas(64) Values {
+    std::array<float, std::size_t{varyings} * span_pixels> at;
+
+    float* column(int k) { return &at[static_cast<std::size_t>(k) * span_pixels]; }
+    const float* column(int k) const { return &at[static_cast<std::size_t>(k) * span_pixels]; }
+};
+
 struct Span {
     Linear inverse_w;
     std::array<Linear, varyings> over_w;
@@ -62,7 +70,7 @@ template <class Inverse>
 struct Perspective {
     Inverse inverse;
 
-    void operator()(const Span& given, Columns& out) const {
+    void operator()(const Span& given, Values& out) const {
         const Span span = given;  // where no store can reach it
         for_each_pixel(0, span_pixels, [&](const Wide& x, int i) {
             const Wide w = inverse(span.inverse_w(x));
@@ -80,7 +88,7 @@ Perspective(Inverse) -> Perspective<Inverse>;
 struct ByBlock {
     int pixels;
 
-    void operator()(const Span& span, Columns& out) const {
+    void operator()(const Span& span, Values& out) const {
         for (int first = 0; first < span_pixels; first += pixels) {
             const auto begin = static_cast<float>(first);
             const float end = begin + static_cast<float>(pixels);
@@ -102,7 +110,7 @@ struct ByBlock {
     }
 };
 
-Errors errors_of(double depth_ratio, const Columns& out) {
+Errors errors_of(double depth_ratio, const Values& out) {
     ErrorSum sum;
     for (int i = 0; i < span_pixels; ++i) {
         for (int k = 0; k < varyings; ++k) {
@@ -114,7 +122,7 @@ Errors errors_of(double depth_ratio, const Columns& out) {
 
 template <class Method>
 [[gnu::noinline, gnu::flatten]] void interpolate(const Method& method, const Span& span,
-                                                 Columns& out) {
+                                                 Values& out) {
     method(span, out);
 }
 
@@ -122,7 +130,7 @@ void add_all(std::vector<Contender>& all, double depth_ratio, const char* name) 
     const Span span = span_to(depth_ratio);
     const auto add = [&](const char* method, const auto& how) {
         constexpr int times = 128;
-        auto out = std::make_shared<Columns>(varyings);
+        auto out = std::make_shared<Values>();
         interpolate(how, span, *out);
         const auto work = [=] {
             for (int i = 0; i < times; ++i) {

@@ -1,3 +1,21 @@
+# With GLINT_PRECOMPILE what most files include is compiled once for all of them, once with each
+# rounding. Files that set the rounding themselves must have SKIP_PRECOMPILE_HEADERS.
+function(glint_precompile target rounding)
+  if(NOT GLINT_PRECOMPILE)
+    return()
+  endif()
+  if(NOT TARGET glint_precompiled_${rounding})
+    file(WRITE ${PROJECT_BINARY_DIR}/precompiled_${rounding}.cpp "")
+    add_library(glint_precompiled_${rounding} OBJECT
+      ${PROJECT_BINARY_DIR}/precompiled_${rounding}.cpp)
+    target_link_libraries(glint_precompiled_${rounding} PRIVATE glint_math glint_${rounding})
+    target_precompile_headers(glint_precompiled_${rounding} PRIVATE
+      ${PROJECT_SOURCE_DIR}/framework/math/vec.hpp ${PROJECT_SOURCE_DIR}/framework/math/error.hpp
+      <algorithm> <filesystem> <functional> <iostream> <map> <span> <sstream> <vector>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM glint_precompiled_${rounding})
+endfunction()
+
 # glint_room(NAME HEADERS h... [SOURCES s...] USES room...): one folder of framework/, a library.
 function(glint_room name)
   cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;USES" ${ARGN})
@@ -7,6 +25,7 @@ function(glint_room name)
     target_link_libraries(glint_${name} PUBLIC glint_options ${arg_USES} PRIVATE glint_exact)
     target_sources(glint_${name} PUBLIC FILE_SET HEADERS
       BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
+    glint_precompile(glint_${name} exact)
   else()
     add_library(glint_${name} INTERFACE)
     target_link_libraries(glint_${name} INTERFACE glint_options ${arg_USES})
@@ -22,6 +41,7 @@ function(glint_program name)
   list(TRANSFORM arg_USES PREPEND glint_)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_USES} glint_processor_check glint_shading)
+  glint_precompile(${name} shading)
 endfunction()
 
 # glint_test(NAME SOURCES s... USES room...): a doctest executable, run by CTest under its name.
@@ -32,5 +52,6 @@ function(glint_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE
     ${arg_USES} glint_processor_check glint_exact glint_test_main)
+  glint_precompile(${name} exact)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()

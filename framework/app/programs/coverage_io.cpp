@@ -26,7 +26,7 @@ constexpr std::size_t longest_line = 65536;  // memory stays bounded whatever co
 }
 
 // A word of the user's, fit for a message of one line.
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     constexpr std::size_t longest = 40;
     std::string text(word.substr(0, longest));
     std::replace_if(
@@ -71,8 +71,8 @@ int to_size(const CoverageInput& state, const char* name, std::string_view word)
     const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), size);
     if (error != std::errc() || rest != word.data() + word.size() || size < 1 ||
         size > largest_size) {
-        fail(state, std::string(name) + " is " + quoted(word) + ", not a whole number from 1 to " +
-                        std::to_string(largest_size));
+        fail(state, std::string(name) + " is " + in_quotes(word) +
+                        ", not a whole number from 1 to " + std::to_string(largest_size));
     }
     return size;
 }
@@ -83,7 +83,7 @@ int to_subpixels(const CoverageInput& state, const char* name, std::string_view 
     const double pixels = std::strtod(text.c_str(), &rest);
     const bool is_decimal = word.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
     if (!is_decimal || rest != text.c_str() + text.size() || !(std::abs(pixels) <= guard_band)) {
-        fail(state, std::string(name) + " is " + quoted(word) + ", not a number from -" +
+        fail(state, std::string(name) + " is " + in_quotes(word) + ", not a number from -" +
                         std::to_string(guard_band) + " to " + std::to_string(guard_band));
     }
     const int steps = 1 << state.bits;
@@ -94,7 +94,7 @@ int to_subpixels(const CoverageInput& state, const char* name, std::string_view 
 CoverageCase to_case(const CoverageInput& state, const std::vector<std::string_view>& words) {
     if (words[0] != "T" || words.size() != 10) {
         fail(state, "expected T id width height x0 y0 x1 y1 x2 y2, found " +
-                        std::to_string(words.size()) + " words, the first " + quoted(words[0]));
+                        std::to_string(words.size()) + " words, the first " + in_quotes(words[0]));
     }
     constexpr const char* names[] = {"x0", "y0", "x1", "y1", "x2", "y2"};
     std::array<int, 6> v{};
@@ -113,7 +113,7 @@ std::string size_of(const CoverageCase& c) {
 
 void join(const CoverageInput& state, CoverageCase& mesh, const CoverageCase& part) {
     if (part.width != mesh.width || part.height != mesh.height) {
-        fail(state, "mesh " + quoted(mesh.id) + " began with " + size_of(mesh) +
+        fail(state, "mesh " + in_quotes(mesh.id) + " began with " + size_of(mesh) +
                         " pixels, and cannot go on with " + size_of(part));
     }
     mesh.triangles.push_back(part.triangles[0]);

@@ -57,14 +57,14 @@ TEST_CASE("a plan takes the cheapest form within the tolerance") {
         float tolerance, form;
         double error;
     } cases[] = {{4, 2, 3}, {1, 1, 0.5}, {0.25, 0, 0}};
-    for (const auto& [tolerance, form, error] : cases) {
-        CAPTURE(tolerance);
-        const Plan plan = plan_of(lesson, tolerance);
+    for (const auto& c : cases) {
+        CAPTURE(c.tolerance);
+        const Plan plan = plan_of(lesson, c.tolerance);
         CHECK(plan.met());
-        CHECK(plan.chosen.parameters["form"] == form);
-        CHECK(plan.chosen.error == doctest::Approx(error).epsilon(0.01));
+        CHECK(plan.chosen.parameters["form"] == c.form);
+        CHECK(plan.chosen.error == doctest::Approx(c.error).epsilon(0.01));
         CHECK(plan.full.error < 0.01);
-        CHECK(plan.savings.size() == (form > 0 ? 1 : 0));
+        CHECK(plan.savings.size() == (c.form > 0 ? 1 : 0));
         CHECK(plan.chosen.ms <= plan.full.ms);
     }
     const Plan plan = plan_of(lesson, 4);

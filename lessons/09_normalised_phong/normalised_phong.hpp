@@ -18,7 +18,7 @@ T phong_normalisation(const T& n) {
     // SOLUTION 09.1
     return (n + T(2.0F)) * (T(0.5F) * inverse_pi<T>);
     // HANDOUT
-    // return T(1.0F);  // TODO 09.1: 1 / integral of cos^(n+1) d omega
+    // return min(n + T(1.0F), T(1.0F));  // TODO 09.1: 1 / integral of cos^(n+1) d omega
     // END
 }
 

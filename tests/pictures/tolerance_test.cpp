@@ -1,5 +1,6 @@
 // What --tolerance promises: no pixel is further from the double reference, over every lesson's
-// stage and over grazing views, high exponents and many samples.
+// stage and over grazing views, high exponents and many samples; and over the OBJ files of the
+// folder that the environment names as GLINT_MESHES, if it does.
 #include "framework/image/pfm.hpp"
 #include "framework/image/srgb.hpp"
 #include "tests/pictures/lesson_programs.hpp"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 namespace glint {
 namespace {
@@ -52,6 +55,14 @@ std::vector<Case> cases() {
           "--set model=15 --eye 0,-1,60", "--set model=15 --eye 3,-2,9 --fov 60",
           "--set model=15 --light=1,2,3:9,9,9 --ns 300"}) {
         all.push_back({"15_engine_integration", words});
+    }
+    const char* meshes = std::getenv("GLINT_MESHES");
+    for (const auto& file : std::filesystem::directory_iterator(meshes ? meshes : ".")) {
+        if (meshes != nullptr && file.path().extension() == ".obj") {
+            const auto path = std::filesystem::absolute(file.path()).string();
+            all.push_back(
+                {"17_speed_and_accuracy", "--samples 2 --scene '" + path + "'", " --set metals=0"});
+        }
     }
     return all;
 }

@@ -91,7 +91,10 @@ build() {
   shift 2
   is_configured "$folder" || configure "$preset" "$folder"
   local plan
-  plan=$(cmake --build "$folder" --target "$@" -- -n)
+  if ! plan=$(cmake --build "$folder" --target "$@" -- -n 2>/dev/null); then
+    configure "$preset" "$folder" # when it was configured, packages were missing
+    plan=$(cmake --build "$folder" --target "$@" -- -n)
+  fi
   if [[ $plan != *"no work to do"* ]]; then
     say "Building $* in $folder"
     cmake --build "$folder" --target "$@" >&2

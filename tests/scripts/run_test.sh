@@ -43,6 +43,8 @@ test_help() {
   expect 0 "*lessons/run compare*Examples:*" ""
   call "$top/tests/run" --help
   expect 0 "*tests/run*Examples:*" ""
+  call "$top/tests/handout" --help
+  expect 0 "*tests/handout ../course*" ""
 }
 
 test_list() {
@@ -53,6 +55,8 @@ test_list() {
 }
 
 test_wrong_words() {
+  call "$top/tests/handout"
+  expect 2 "" "error: name one folder*"
   local word
   for word in 99 1x 01_ad_hoc -1 18446744073709551617; do
     run "$word"

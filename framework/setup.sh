@@ -13,6 +13,7 @@ test_needs=(doctest-dev:doctest/doctest.h libseccomp-dev:seccomp.h
   libssl-dev:openssl/hmac.h)
 window_test_needs=("${window_needs[@]}" xvfb:Xvfb xdotool:xdotool imagemagick:import)
 gallery_test_needs=(chromium:chromium chromium-driver:chromedriver curl:curl)
+count_test_needs=(valgrind:valgrind)
 chart_needs=(gnuplot-nox:gnuplot)
 
 say() { printf '%s\n' "$*" >&2; }

@@ -138,7 +138,7 @@ std::vector<Student> students_of(const fs::path& folder, const fs::path& roster)
         std::istringstream lines(read_text(roster));
         for (std::string line; std::getline(lines, line);) {
             const std::string name = line.substr(0, line.find_first_of(",\r"));
-            if (!name.empty()) {
+            if (!name.empty() && name != "student") {  // a heading
                 all[name];
             }
         }

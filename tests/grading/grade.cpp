@@ -60,7 +60,8 @@ void add_class(CLI::App& command, Options& o) {
         ->required()
         ->check(CLI::ExistingDirectory);
     command.add_option("--out", o.c.out, "folder for what is written")->required();
-    command.add_option("--roster", o.c.roster, "CSV, the first column names students");
+    command.add_option("--roster", o.c.roster,
+                       "CSV, the first column (heading: student, or none) names students");
 }
 
 // Gradescope's submission_metadata.json: a group is one student.

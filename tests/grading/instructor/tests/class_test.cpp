@@ -38,7 +38,7 @@ struct Class {
                            read_text(right));
         fs::create_directories(path / "in/link");
         fs::create_symlink("/etc/passwd", path / "in/link/schlick.hpp");
-        write_text(path / "roster.csv", "ada,Ada\nzoe,Zoe\n");
+        write_text(path / "roster.csv", "student,name\nada,Ada\nzoe,Zoe\n");
     }
     ~Class() { fs::remove_all(path); }
     Class(const Class&) = delete;

@@ -7,6 +7,7 @@
 #include "tests/bench/pinning.hpp"
 
 #include <iostream>
+#include <limits>
 #include <optional>
 
 namespace glint {
@@ -35,6 +36,14 @@ std::vector<bool> covered_by_alpha(const SrgbImage& picture) {
     return covered;
 }
 
+// What must be read and written at least once.
+double bytes_of_frame(const BenchScene& bench) {
+    const Mesh& mesh = bench.scene.mesh;
+    const auto size = [](const auto& v) { return static_cast<double>(v.size() * sizeof(v[0])); };
+    return size(mesh.positions) + size(mesh.normals) + size(mesh.triangles) +
+           4.0 * bench.width * bench.height;
+}
+
 class Run {
   public:
     Run(const BenchOptions& options, int threads, BenchResult& result)
@@ -48,35 +57,11 @@ class Run {
     void scene(const std::string& name) {
         std::cerr << "bench: " << name << ", threads: " << threads_ << "\n";
         const BenchScene bench = bench_scene(name, options_.bunny_file);
-        GlintFrames glint(bench,
-                          {.lanes = options_.lanes, .threads = threads_, .cull = Cull::back});
-        const BenchShader shader = bench_shader(bench.scene);
-        const Peak kernel = straight_kernel(shader, options_.lanes);
-        const Peak fma = fma_peak(max_lanes);
-        const Peak write = write_peak();
-        std::vector<std::function<void()>> contenders{[&] { glint.frame(); }, kernel.work, fma.work,
-                                                      write.work};
+        const Settings settings{.lanes = options_.lanes, .threads = threads_, .cull = Cull::back};
+        GlintFrames glint(bench, settings);
+        SceneResult r = describe(bench, glint);
+        time(bench, settings, glint, r);
         if (peer_) {
-            peer_->set_scene(bench);
-            contenders.emplace_back([this] { peer_->frame(); });
-        }
-        const std::vector<Times> times = time_in_turns(options_.rounds, contenders);
-
-        const Statistics s = glint.frame();
-        SceneResult r{.scene = name, .threads = threads_, .glint = times[0]};
-        r.triangles = s.triangles_in;
-        r.fragments = s.fragments_shaded;
-        r.kernel_ns = 1e6 * times[1].least() / kernel.amount;
-        const double fma_rate = fma.amount / (1e-3 * times[2].least());
-        const double write_rate = write.amount / (1e-3 * times[3].least());
-        result_.fma_gflops = std::max(result_.fma_gflops, 1e-9 * fma_rate);
-        result_.write_gbs = std::max(result_.write_gbs, 1e-9 * write_rate);
-        const double seconds = 1e-3 * times[0].least() * threads_;
-        r.share_of_fma = operations_of_fragment(shader) * static_cast<double>(r.fragments) /
-                         (seconds * fma_rate);
-        r.share_of_write = 4.0 * bench.width * bench.height / (seconds * write_rate);
-        if (peer_) {
-            r.llvmpipe = times[4];
             r.between = difference(glint.picture(), peer_->picture());
         }
         if (name == "fill" && result_.glint.median_error == 0) {
@@ -86,6 +71,67 @@ class Run {
     }
 
   private:
+    SceneResult describe(const BenchScene& bench, GlintFrames& glint) const {
+        const Statistics s = glint.frame();
+        SceneResult r{.scene = bench.name,
+                      .what = bench.what,
+                      .width = bench.width,
+                      .height = bench.height,
+                      .threads = threads_};
+        r.triangles = s.triangles_in;
+        r.fragments = s.fragments_shaded;
+        r.operations =
+            operations_of_fragment(bench_shader(bench.scene)) * static_cast<double>(r.fragments);
+        r.bytes = bytes_of_frame(bench);
+        return r;
+    }
+
+    // All who draw the scene, and the peaks, in turns.
+    void time(const BenchScene& bench, const Settings& settings, GlintFrames& glint,
+              SceneResult& r) {
+        r.stages.frame_ms = std::numeric_limits<double>::infinity();
+        const auto draw = [&] {
+            const Statistics s = glint.frame();
+            r.stages = s.frame_ms < r.stages.frame_ms ? s : r.stages;
+        };
+        const Peak kernel = straight_kernel(bench_shader(bench.scene), settings.lanes);
+        const Peak fma = fma_peak(max_lanes);
+        const Peak write = write_peak();
+        std::vector<std::function<void()>> contenders{draw, kernel.work, fma.work, write.work};
+        std::vector<Times*> others;
+        const auto add = [&](Times& times, std::function<void()> work) {
+            others.push_back(&times);
+            contenders.push_back(std::move(work));
+        };
+        if (peer_) {
+            peer_->set_scene(bench);
+            add(r.llvmpipe, [this] { peer_->frame(); });
+        }
+        GlintFrames scalar(bench, {.lanes = 1, .cull = Cull::back});
+        GlintFrames scanline(bench, {.rasterizer = Rasterizer::scanline, .cull = Cull::back});
+        if (options_.all_ways && threads_ == 1) {
+            add(r.scalar, [&] { scalar.frame(); });
+            add(r.scanline, [&] { scanline.frame(); });
+        }
+        const std::vector<Times> times = time_in_turns(options_.rounds, contenders);
+        r.glint = times[0];
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            *others[i] = times[4 + i];
+        }
+        compare_with_peaks(kernel.amount / times[1].least(), fma.amount / times[2].least(),
+                           write.amount / times[3].least(), r);
+    }
+
+    // By what one core does in a millisecond.
+    void compare_with_peaks(double kernel, double fma, double write, SceneResult& r) {
+        r.kernel_ns = 1e6 / kernel;
+        result_.fma_gflops = std::max(result_.fma_gflops, 1e-6 * fma);
+        result_.write_gbs = std::max(result_.write_gbs, 1e-6 * write);
+        const double core_ms = r.glint.least() * threads_;
+        r.share_of_fma = r.operations / (core_ms * fma);
+        r.share_of_write = 4.0 * r.width * r.height / (core_ms * write);
+    }
+
     void judge(const BenchScene& bench, GlintFrames& glint) {
         const ReferencePicture reference = reference_picture(bench);
         LinearImage linear;

@@ -17,19 +17,25 @@ struct BenchOptions {
     int lanes = max_lanes;
     int rounds = 20;
     bool against_llvmpipe = false;
+    bool all_ways = false;  // also one lane and scanline, in the run with one thread
     std::string bunny_file;
 };
 
 struct SceneResult {
-    std::string scene;
+    std::string scene, what;
+    int width = 0, height = 0;
     int threads = 1;
     std::int64_t triangles = 0, fragments = 0;
-    Times glint;
-    Times llvmpipe{};           // empty if that did not draw
-    Difference between{};       // the two pictures
-    double kernel_ns = 0;       // a fragment of the straight kernel, a core
-    double share_of_fma = 0;    // of the measured peak, counted operations
-    double share_of_write = 0;  // of the measured peak, the picture's bytes
+    Times glint{};
+    Times llvmpipe{};            // empty if that did not draw
+    Times scalar{}, scanline{};  // likewise
+    Statistics stages{};         // of Glint's fastest frame
+    Difference between{};        // the two pictures
+    double operations = 0;       // of floating point, to shade all fragments; counted
+    double bytes = 0;            // that no way to draw it can spare: the mesh and the picture
+    double kernel_ns = 0;        // a fragment of the straight kernel, a core
+    double share_of_fma = 0;     // of the measured peak, counted operations
+    double share_of_write = 0;   // of the measured peak, the picture's bytes
 
     double ns_per_fragment() const {
         return fragments == 0 ? 0 : 1e6 * glint.least() / static_cast<double>(fragments);

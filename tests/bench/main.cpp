@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
     app.add_option("--lanes", options.lanes, "1, 4, 8 or 16")->check(CLI::IsMember({1, 4, 8, 16}));
     app.add_option("--rounds", options.rounds, "how often each draws")->check(CLI::Range(1, 10000));
     app.add_option("--bunny", options.bunny_file, "an OBJ file to draw as the scene bunny");
+    app.add_flag("--all-ways", options.all_ways, "one lane and scanline, too; takes longer");
     app.add_flag("--scaling", scaling, "how the cost grows, by pixels, triangles, lights, ...");
     app.add_option("--json", json, "write all findings to this file");
     app.footer(examples);

@@ -29,6 +29,11 @@ std::string row(const SceneResult& r) {
         line += format(" %9.2f %9.2f %7.2f %5d %8.4f", r.llvmpipe.least(), r.llvmpipe.median(),
                        r.times_faster(), r.between.largest, r.between.mean);
     }
+    if (!r.scalar.ms.empty()) {
+        line += format("\n%9s one lane %.2f ms, %.1f times as long; scanline %.2f ms, %.1f times",
+                       "", r.scalar.least(), r.scalar.least() / r.glint.least(), r.scanline.least(),
+                       r.scanline.least() / r.glint.least());
+    }
     return line + "\n";
 }
 
@@ -45,8 +50,19 @@ nlohmann::json to_json(const Accuracy& a) {
             {"codes_off_largest", a.largest_codes}};
 }
 
+nlohmann::json to_json(const Statistics& s) {
+    return {{"geometry_ms", s.geometry_ms},
+            {"visibility_ms", s.visibility_ms},
+            {"shading_ms", s.shading_ms},
+            {"output_ms", s.output_ms},
+            {"frame_ms", s.frame_ms}};
+}
+
 nlohmann::json to_json(const SceneResult& r) {
     nlohmann::json j{{"scene", r.scene},
+                     {"what", r.what},
+                     {"width", r.width},
+                     {"height", r.height},
                      {"threads", r.threads},
                      {"triangles", r.triangles},
                      {"fragments", r.fragments},
@@ -56,13 +72,20 @@ nlohmann::json to_json(const SceneResult& r) {
                      {"kernel_ns_per_fragment", r.kernel_ns},
                      {"million_triangles_per_second", r.million_triangles_per_second()},
                      {"share_of_fma_peak", r.share_of_fma},
-                     {"share_of_write_peak", r.share_of_write}};
+                     {"share_of_write_peak", r.share_of_write},
+                     {"operations", r.operations},
+                     {"bytes", r.bytes},
+                     {"stages", to_json(r.stages)}};
     if (!r.llvmpipe.ms.empty()) {
         j["llvmpipe_ms_min"] = r.llvmpipe.least();
         j["llvmpipe_ms_median"] = r.llvmpipe.median();
         j["times_faster"] = r.times_faster();
         j["difference_max_codes"] = r.between.largest;
         j["difference_mean_codes"] = r.between.mean;
+    }
+    if (!r.scalar.ms.empty()) {
+        j["scalar_ms_min"] = r.scalar.least();
+        j["scanline_ms_min"] = r.scanline.least();
     }
     return j;
 }
@@ -135,7 +158,10 @@ nlohmann::json to_json(const ScalingResult& result) {
         for (const ScalePoint& p : scale.points) {
             points.push_back({{"size", p.size}, {"ms", p.ms}});
         }
-        j["scales"][scale.name] = {{"points", points}, {"slope", scale.slope()}};
+        j["scales"].push_back({{"name", scale.name},
+                               {"unit", scale.unit},
+                               {"points", points},
+                               {"slope", scale.slope()}});
     }
     const Memory& m = result.memory;
     j["memory"] = {{"bytes_a_triangle", m.bytes_a_triangle},

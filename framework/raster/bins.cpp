@@ -88,11 +88,7 @@ void TileBins::assemble(const Mesh& mesh, const View& view, const VertexBuffer& 
     I y[3];
     M clip = false;
     for (int i = 0; i < 3; ++i) {
-        std::uint32_t vertex[N];
-        for (std::uint32_t lane = 0; lane < N; ++lane) {
-            vertex[lane] = mesh.triangles[first + lane][i];
-        }
-        const LaneVertices<N> v = load_vertices<N>(vertices, vertex);
+        const LaneVertices<N> v = load_vertices<N>(vertices, &mesh.triangles[first][i], 3);
         x[i] = v.x;
         y[i] = v.y;
         clip = clip | (v.x == I(needs_clipping));

@@ -20,12 +20,15 @@ inline const float* row(const ScreenVertex& v) {
 }
 }  // namespace lane_vertices_detail
 
-// The vertices index[0], index[1], ... index[N - 1].
+// The vertices index[0], index[stride], ... index[(N - 1) stride]. Inlined, for what the caller
+// does not use is then not made.
 template <int N>
-LaneVertices<N> load_vertices(const VertexBuffer& vertices, const std::uint32_t* index) {
+[[gnu::always_inline]] inline LaneVertices<N> load_vertices(const VertexBuffer& vertices,
+                                                            const std::uint32_t* index,
+                                                            std::size_t stride = 1) {
     const float* rows[N];
     for (std::size_t i = 0; i < N; ++i) {
-        rows[i] = lane_vertices_detail::row(vertices[index[i]]);
+        rows[i] = lane_vertices_detail::row(vertices[index[i * stride]]);
     }
     const auto columns = load_rows<typename Lanes<N>::Float>(rows);
     return {bits_of(columns[0]), bits_of(columns[1]), columns[2], columns[3]};

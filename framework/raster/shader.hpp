@@ -25,6 +25,7 @@
 
 #include <array>
 #include <bit>
+#include <new>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -123,11 +124,7 @@ void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices,
         const auto at = vertices[i];
         const Vertex v{mesh.positions[at], mesh.normals.empty() ? glm::vec3(0) : mesh.normals[at],
                        mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[at]};
-        const auto values =
-            std::bit_cast<std::array<float, count<S>>>(static_cast<const S*>(shader)->vertex(v));
-        for (const float value : values) {
-            *out++ = value;
-        }
+        ::new (out + i * count<S>) Varyings<S, float>(static_cast<const S*>(shader)->vertex(v));
     }
 }
 

@@ -21,6 +21,41 @@ struct TileSetup {
     DepthPlane<Floats> depth;
 };
 
+// The same seen from one sample of every pixel, beginning at the first block that the triangle may
+// cover.
+template <int N>
+struct SampleSetup {
+    std::array<std::array<std::int32_t, N>, 3> e;  // floor(E / 256) at the first pixel's sample
+    std::array<float, N> x, y;                     // that sample, pixels from the depth's anchor
+};
+
+template <int N>
+void place_sample(const TileSetup<N>& t, const TileBuffer& tile, SampleOffset offset,
+                  SampleSetup<N>& out) {
+    using T = typename Lanes<N>::Float;
+    using I = typename Lanes<N>::Int;
+    const I column = load<I>(t.x0.data()) & I(-block_size);
+    const I row = load<I>(t.y0.data()) & I(-block_size);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const I a = load<I>(t.a[i].data());
+        const I b = load<I>(t.b[i].data());
+        // floor((256 whole + rest + a x + b y) / 256), where a x alone may pass 32 bits.
+        const I low(subpixel_one - 1);
+        const I x(offset.x);
+        const I y(offset.y);
+        const I rest = load<I>(t.rest[i].data()) + (a & low) * x + (b & low) * y;
+        const I e = load<I>(t.whole[i].data()) + (a >> subpixel_bits) * x +
+                    (b >> subpixel_bits) * y + (rest >> subpixel_bits);
+        store(out.e[i].data(), e + a * column + b * row);
+    }
+    // Differences of window positions are exact in float.
+    const float to_pixel = 1.0F / static_cast<float>(subpixel_one);
+    const T x(static_cast<float>(tile.x) + 0.5F + static_cast<float>(offset.x) * to_pixel);
+    const T y(static_cast<float>(tile.y) + 0.5F + static_cast<float>(offset.y) * to_pixel);
+    store(out.x.data(), x - load<T>(t.depth.x.data()) + to_float(column));
+    store(out.y.data(), y - load<T>(t.depth.y.data()) + to_float(row));
+}
+
 // Pixels between two window positions relative to the tile's origin, limited to the tile.
 template <class I>
 I first_pixel(I position, int highest_offset) {

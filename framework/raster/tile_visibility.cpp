@@ -16,7 +16,8 @@ constexpr std::int32_t block_columns[block_pixels] = {0, 1, 2, 3, 0, 1, 2, 3,
                                                       0, 1, 2, 3, 0, 1, 2, 3};
 constexpr std::int32_t block_rows[block_pixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
-// One triangle over the samples of one kind (one offset) of a tile.
+// One triangle over the samples of one kind (one offset) of a tile. Blocks and pixels count from
+// the first block that the triangle may cover.
 template <int N>
 class Coverage {
     using T = typename Lanes<N>::Float;
@@ -25,11 +26,11 @@ class Coverage {
     static constexpr int parts = block_pixels / N;  // registers a block
 
   public:
-    Coverage(const TileSetup<N>& t, std::size_t lane, const TileBuffer& tile, SampleOffset offset)
-        : x0_(t.x0[lane] / block_size),
-          y0_(t.y0[lane] / block_size),
-          x1_(t.x1[lane] / block_size),
-          y1_(t.y1[lane] / block_size),
+    Coverage(const TileSetup<N>& t, const SampleSetup<N>& sample, std::size_t lane)
+        : first_column_(t.x0[lane] / block_size),
+          first_row_(t.y0[lane] / block_size),
+          columns_(t.x1[lane] / block_size - first_column_ + 1),
+          rows_(t.y1[lane] / block_size - first_row_ + 1),
           dzdx_(t.depth.dzdx[lane]),
           dzdy_(t.depth.dzdy[lane]),
           z_(t.depth.z[lane]),
@@ -38,41 +39,35 @@ class Coverage {
         for (std::size_t i = 0; i < 3; ++i) {
             a_[i] = t.a[i][lane];
             b_[i] = t.b[i][lane];
-            const std::int64_t shift =
-                std::int64_t{a_[i]} * offset.x + std::int64_t{b_[i]} * offset.y + t.rest[i][lane];
-            e_[i] = static_cast<std::int32_t>(t.whole[i][lane] + (shift >> subpixel_bits));
+            e_[i] = sample.e[i][lane];
         }
-        // Differences of window positions are exact in float.
-        const float to_pixel = 1.0F / static_cast<float>(subpixel_one);
-        const float x = static_cast<float>(tile.x) + 0.5F +
-                        static_cast<float>(offset.x) * to_pixel - t.depth.x[lane];
-        const float y = static_cast<float>(tile.y) + 0.5F +
-                        static_cast<float>(offset.y) * to_pixel - t.depth.y[lane];
         for (int p = 0; p < parts; ++p) {
             const I column = load<I>(block_columns + p * N);
             const I row = load<I>(block_rows + p * N);
             for (std::size_t i = 0; i < 3; ++i) {
-                within_[i][p] = I(a_[i]) * column + I(b_[i]) * row;
+                within_[i][p] = I(e_[i]) + I(a_[i]) * column + I(b_[i]) * row;
             }
-            x_[p] = T(x) + to_float(column);
-            y_[p] = T(y) + to_float(row);
+            x_[p] = T(sample.x[lane]) + to_float(column);
+            y_[p] = T(sample.y[lane]) + to_float(row);
         }
     }
 
+    // depth and owner: of the tile.
     void draw(float* depth, std::int32_t* owner, std::int32_t triangle) const {
-        for (std::int32_t by = y0_; by <= y1_; ++by) {
-            std::uint32_t touched = (2U << x1_) - (1U << x0_);
+        for (std::int32_t row = 0; row < rows_; ++row) {
+            std::uint32_t touched = (1U << columns_) - 1;
             std::uint32_t full = 0;
-            if (x1_ - x0_ >= 3) {
-                classify_row(by, touched, full);
+            if (columns_ >= 4) {
+                classify_row(row, touched, full);
             }
             for (; touched != 0; touched &= touched - 1) {
-                const std::int32_t bx = std::countr_zero(touched);
-                const std::ptrdiff_t at = (by * tile_blocks + bx) * block_pixels;
-                if ((full >> bx & 1U) != 0) {
-                    draw_block<true>(bx, by, depth + at, owner + at, triangle);
+                const std::int32_t column = std::countr_zero(touched);
+                const std::ptrdiff_t at =
+                    ((first_row_ + row) * tile_blocks + first_column_ + column) * block_pixels;
+                if ((full >> column & 1U) != 0) {
+                    draw_block<true>(column, row, depth + at, owner + at, triangle);
                 } else {
-                    draw_block<false>(bx, by, depth + at, owner + at, triangle);
+                    draw_block<false>(column, row, depth + at, owner + at, triangle);
                 }
             }
         }
@@ -80,15 +75,15 @@ class Coverage {
 
   private:
     // Of a row of blocks: which the triangle may touch, and which it covers entirely.
-    void classify_row(std::int32_t by, std::uint32_t& touched, std::uint32_t& full) const {
+    void classify_row(std::int32_t row, std::uint32_t& touched, std::uint32_t& full) const {
         std::uint32_t outside = 0;
         std::uint32_t partial = 0;
-        for (int first = 0; first < tile_blocks; first += N) {
-            const I bx = iota<I>() + I(first);
+        for (int first = 0; first < columns_; first += N) {
+            const I column = iota<I>() + I(first);
             M out = false;
             M part = false;
             for (std::size_t i = 0; i < 3; ++i) {
-                const I e = I(e_[i] + b_[i] * block_size * by) + I(a_[i] * block_size) * bx;
+                const I e = I(e_[i] + b_[i] * block_size * row) + I(a_[i] * block_size) * column;
                 const std::int32_t a = a_[i] * (block_size - 1);
                 const std::int32_t b = b_[i] * (block_size - 1);
                 out = out | (e + I(std::max(a, 0) + std::max(b, 0)) < I(0));
@@ -102,13 +97,13 @@ class Coverage {
     }
 
     template <bool full>
-    void draw_block(std::int32_t bx, std::int32_t by, float* depth, std::int32_t* owner,
+    void draw_block(std::int32_t column, std::int32_t row, float* depth, std::int32_t* owner,
                     std::int32_t triangle) const {
-        const T block_x(static_cast<float>(bx * block_size));
-        const T block_y(static_cast<float>(by * block_size));
-        std::int32_t e[3];
+        const T block_x(static_cast<float>(column * block_size));
+        const T block_y(static_cast<float>(row * block_size));
+        std::int32_t step[3];
         for (std::size_t i = 0; i < 3; ++i) {
-            e[i] = e_[i] + (a_[i] * bx + b_[i] * by) * block_size;
+            step[i] = (a_[i] * column + b_[i] * row) * block_size;
         }
         for (int p = 0; p < parts; ++p) {
             // DepthPlane::at(), with the sample's position relative to the anchor.
@@ -117,8 +112,8 @@ class Coverage {
             const T known = load<T>(depth + p * N);
             M wins = z > known;
             if constexpr (!full) {
-                const I inside = (I(e[0]) + within_[0][p]) | (I(e[1]) + within_[1][p]) |
-                                 (I(e[2]) + within_[2][p]);
+                const I inside = (I(step[0]) + within_[0][p]) | (I(step[1]) + within_[1][p]) |
+                                 (I(step[2]) + within_[2][p]);
                 wins = wins & (inside >= I(0));
             }
             store(depth + p * N, select(wins, z, known));
@@ -126,9 +121,9 @@ class Coverage {
         }
     }
 
-    std::int32_t x0_, y0_, x1_, y1_;  // blocks
+    std::int32_t first_column_, first_row_, columns_, rows_;  // blocks
     std::int32_t e_[3], a_[3], b_[3];
-    I within_[3][parts];  // E of a block's pixels less that of its first
+    I within_[3][parts];  // E of the first block's pixels
     T x_[parts], y_[parts];
     T dzdx_, dzdy_, z_, low_, high_;
 };
@@ -160,15 +155,35 @@ class TileVisibility {
     // Up to N triangles.
     void draw_group(const TileBins& bins, std::span<const TriangleRef> refs) {
         TileSetup<N> setup;
+        const auto all_lanes = static_cast<std::uint32_t>((std::uint64_t{1} << refs.size()) - 1);
         const std::uint32_t done = set_up_group(refs, setup);
-        for (std::size_t lane = 0; lane < refs.size(); ++lane, ++next_) {
-            if ((done >> lane & 1U) == 0) {
-                set_up_any(triangle(bins, refs[lane]), tile_, frame_.settings.cull, range_, lane,
-                           setup);
-            }
-            if (setup.x0[lane] <= setup.x1[lane] && setup.y0[lane] <= setup.y1[lane]) {
-                draw_triangle(setup, lane);
-            }
+        for (std::uint32_t left = all_lanes & ~done; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            set_up_any(triangle(bins, refs[lane]), tile_, frame_.settings.cull, range_, lane,
+                       setup);
+        }
+        const std::uint32_t drawn = all_lanes & lanes_drawn(setup);
+        for (std::size_t s = 0; s < offsets_.size() && drawn != 0; ++s) {
+            draw_sample(setup, s, drawn);
+        }
+        next_ += static_cast<std::int32_t>(refs.size());
+    }
+
+    static std::uint32_t lanes_drawn(const TileSetup<N>& t) {
+        const auto columns = load<I>(t.x0.data()) <= load<I>(t.x1.data());
+        const auto rows = load<I>(t.y0.data()) <= load<I>(t.y1.data());
+        return lane_bits(columns & rows);
+    }
+
+    void draw_sample(const TileSetup<N>& setup, std::size_t s, std::uint32_t drawn) {
+        SampleSetup<N> sample;
+        place_sample(setup, tile_, offsets_[s], sample);
+        float* depth = &tile_.depth[s * tile_pixels];
+        std::int32_t* owner = &tile_.owner[s * tile_pixels];
+        for (; drawn != 0; drawn &= drawn - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(drawn));
+            Coverage<N>(setup, sample, lane)
+                .draw(depth, owner, next_ + static_cast<std::int32_t>(lane));
         }
     }
 
@@ -203,14 +218,6 @@ class TileVisibility {
         return small;
     }
 
-    void draw_triangle(const TileSetup<N>& setup, std::size_t lane) {
-        for (std::size_t s = 0; s < offsets_.size(); ++s) {
-            const std::size_t plane = s * tile_pixels;
-            Coverage<N>(setup, lane, tile_, offsets_[s])
-                .draw(&tile_.depth[plane], &tile_.owner[plane], next_);
-        }
-    }
-
     ScreenTriangle triangle(const TileBins& bins, TriangleRef ref) const {
         return (ref & piece_bit) != 0 ? bins.piece(ref) : screen_triangle(frame_, {0, ref});
     }
@@ -219,7 +226,7 @@ class TileVisibility {
     TileBuffer& tile_;
     std::span<const SampleOffset> offsets_;
     OffsetRange range_;
-    std::int32_t next_ = 0;  // place in tile_.triangles
+    std::int32_t next_ = 0;  // the group's place in tile_.triangles
 };
 
 // What lies beyond the window's edge is not there.

@@ -49,8 +49,8 @@ struct Int {
     Int& operator-=(Int b) { return *this = *this - b; }
 };
 
-// N floats, IEEE 754 single precision, round to nearest. Quotient and sign are the compiler's own:
-// xsimd 8 approximates a / b on NEON, and says 0 - a, which is 0 for -0.
+// N floats, IEEE 754 single precision, round to nearest. The sign is the compiler's own: xsimd 8
+// says 0 - a, which is 0 for -0.
 template <int N>
 struct Float {
     simd::Floats<N> v;
@@ -63,7 +63,7 @@ struct Float {
     friend Float operator+(Float a, Float b) { return a.v + b.v; }
     friend Float operator-(Float a, Float b) { return a.v - b.v; }
     friend Float operator*(Float a, Float b) { return a.v * b.v; }
-    friend Float operator/(Float a, Float b) { return simd::Floats<N>(a.v.data / b.v.data); }
+    friend Float operator/(Float a, Float b) { return simd::quotient(a.v, b.v); }
     friend Float operator-(Float a) { return simd::Floats<N>(-a.v.data); }
     friend Mask<N> operator<(Float a, Float b) { return a.v < b.v; }
     friend Mask<N> operator>(Float a, Float b) { return a.v > b.v; }

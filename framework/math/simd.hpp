@@ -2,72 +2,35 @@
 // with several or rounds otherwise. Nothing else in Glint knows more of it than max_lanes.
 #pragma once
 
-#include <array>
+#include "framework/math/registers.hpp"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
-
-// GCC 12 takes the undefined pass-through operand of its own AVX-512 intrinsics for a mistake.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <xsimd/xsimd.hpp>
-#pragma GCC diagnostic pop
 
 namespace glint {
 
 // The widest register that this build may use.
-#if XSIMD_WITH_AVX512BW
-inline constexpr int max_lanes = 16;
-inline constexpr const char* instruction_set = "avx512";
-#elif XSIMD_WITH_FMA3_AVX2
-inline constexpr int max_lanes = 8;
-inline constexpr const char* instruction_set = "avx2";
-#elif XSIMD_WITH_NEON64
-inline constexpr int max_lanes = 4;
-inline constexpr const char* instruction_set = "neon";
-#else
-inline constexpr int max_lanes = 4;
-inline constexpr const char* instruction_set = "sse4.2";
-#endif
+inline constexpr int max_lanes = XSIMD_WITH_AVX512BW ? 16 : XSIMD_WITH_FMA3_AVX2 ? 8 : 4;
+inline constexpr const char* instruction_set = XSIMD_WITH_AVX512BW    ? "avx512"
+                                               : XSIMD_WITH_FMA3_AVX2 ? "avx2"
+                                               : XSIMD_WITH_NEON64    ? "neon"
+                                                                      : "sse4.2";
 
 namespace simd {
 
+using Narrow = std::conditional_t<XSIMD_WITH_NEON64, xsimd::neon64, xsimd::sse4_2>;
+using Wide = std::conditional_t<XSIMD_WITH_FMA3_AVX2, xsimd::fma3<xsimd::avx2>, void>;
+using Widest = std::conditional_t<XSIMD_WITH_AVX512BW, xsimd::avx512bw, void>;
 template <int N>
-struct Architecture;
-#if XSIMD_WITH_NEON64
-template <>
-struct Architecture<4> : std::type_identity<xsimd::neon64> {};
-#else
-template <>
-struct Architecture<4> : std::type_identity<xsimd::sse4_2> {};
-#endif
-#if XSIMD_WITH_FMA3_AVX2
-template <>
-struct Architecture<8> : std::type_identity<xsimd::fma3<xsimd::avx2>> {};
-#endif
-#if XSIMD_WITH_AVX512BW
-template <>
-struct Architecture<16> : std::type_identity<xsimd::avx512bw> {};
-#endif
+using Architecture = std::conditional_t<N == 4, Narrow, std::conditional_t<N == 8, Wide, Widest>>;
 template <int N>
-using Floats = xsimd::batch<float, typename Architecture<N>::type>;
+using Floats = xsimd::batch<float, Architecture<N>>;
 template <int N>
-using Ints = xsimd::batch<std::int32_t, typename Architecture<N>::type>;
+using Ints = xsimd::batch<std::int32_t, Architecture<N>>;
 template <int N>
-using Bools = xsimd::batch_bool<float, typename Architecture<N>::type>;
-
-// Answers about integers as answers about floats.
-template <class A>
-xsimd::batch_bool<float, A> as_bools(xsimd::batch_bool<std::int32_t, A> m) {
-    return std::bit_cast<xsimd::batch_bool<float, A>>(m);
-}
-
-// ---- what any register can do -----------------------------------------------------------------
+using Bools = xsimd::batch_bool<float, Architecture<N>>;
 
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
 inline float fma(float a, float b, float c) {
@@ -79,92 +42,6 @@ F fma(F a, F b, F c) {  // the library's rounds once, and takes fifty times as l
     return a * b + c;
 }
 #endif
-
-template <class F>
-F sqrt(F a) {
-    return xsimd::sqrt(a);
-}
-inline float sqrt(float a) {
-    return __builtin_sqrtf(a);
-}
-template <class F>
-F min(F a, F b) {
-    return xsimd::min(a, b);
-}
-template <class F>
-F max(F a, F b) {
-    return xsimd::max(a, b);
-}
-
-// a 2^k rounded once, for 1/2 <= a < 2 and whole k from -151 to 128.
-template <class F>
-F scale(F a, F k) {
-    // k goes into the exponent of a; where that would be too small for it, in two steps.
-    const F step = xsimd::select(k < F(-125.0F), F(24.0F), F(0.0F));
-    const auto exponent = xsimd::batch_cast<std::int32_t>(k + step) << 23;
-    const auto bits = std::bit_cast<decltype(exponent)>(a) + exponent;
-    return std::bit_cast<F>(bits) * xsimd::select(k < F(-125.0F), F(0x1p-24F), F(1.0F));
-}
-inline float scale(float a, float k) {
-    const bool small = k < -125.0F;
-    const std::int32_t exponent = static_cast<std::int32_t>(k) + (small ? 24 : 0);
-    const std::int32_t bits = std::bit_cast<std::int32_t>(a) + exponent * (1 << 23);
-    return std::bit_cast<float>(bits) * (small ? 0x1p-24F : 1.0F);
-}
-
-template <class T, class I>
-xsimd::batch<T, typename I::arch_type> gather(const T* from, I index) {
-    alignas(64) std::int32_t at[I::size];
-    alignas(64) T value[I::size];
-    index.store_aligned(at);
-    for (std::size_t i = 0; i < I::size; ++i) {
-        value[i] = from[at[i]];
-    }
-    return xsimd::batch<T, typename I::arch_type>::load_aligned(value);
-}
-
-template <class I>
-xsimd::batch<float, typename I::arch_type> lookup16(const float* table, I index) {
-    return gather(table, index & I(15));
-}
-
-// Four floats from each of N places as four registers, and back to N places side by side.
-template <class F>
-using Rows = std::array<F, 4>;
-template <class F>
-Rows<F> load_rows(const float* const* row) {
-    Rows<F> columns;
-    alignas(64) float column[F::size];
-    for (std::size_t k = 0; k < 4; ++k) {
-        for (std::size_t i = 0; i < F::size; ++i) {
-            std::memcpy(&column[i], row[i] + k, sizeof(float));
-        }
-        columns[k] = F::load_aligned(column);
-    }
-    return columns;
-}
-template <class F>
-void store_rows(float* to, const Rows<F>& columns) {
-    alignas(64) float column[F::size];
-    for (std::size_t k = 0; k < 4; ++k) {
-        columns[k].store_aligned(column);
-        for (std::size_t i = 0; i < F::size; ++i) {
-            std::memcpy(to + 4 * i + k, &column[i], sizeof(float));
-        }
-    }
-}
-
-template <class I>
-int store_compressed(std::int32_t* to, std::uint32_t lanes, I a) {
-    alignas(64) std::int32_t value[I::size];
-    a.store_aligned(value);
-    int count = 0;
-    for (std::size_t i = 0; i < I::size; ++i) {  // no branch to mispredict
-        to[count] = value[i];
-        count += static_cast<int>(lanes >> i & 1U);
-    }
-    return count;
-}
 
 // ---- 4 lanes ----------------------------------------------------------------------------------
 
@@ -250,17 +127,6 @@ inline void store_rows(float* to, const Rows<Floats<8>>& columns) {
 inline std::uint32_t lane_bits(Bools<8> m) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(m));
 }
-// For each set of answering lanes: which lane comes first, second, ... one a byte.
-inline constexpr auto lane_order = [] {
-    std::array<std::uint64_t, 256> order{};
-    for (std::uint32_t lanes = 0; lanes < 256; ++lanes) {
-        int bit = 0;
-        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1, bit += 8) {
-            order[lanes] |= static_cast<std::uint64_t>(std::countr_zero(rest)) << bit;
-        }
-    }
-    return order;
-}();
 inline int store_compressed(std::int32_t* to, std::uint32_t lanes, Ints<8> a) {
     const __m256i order =
         _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&lane_order[lanes])));
@@ -370,41 +236,35 @@ F reciprocal(F a) {
 #else
 template <class F>
 F inverse_sqrt(F a) {
-    return F(1.0F) / sqrt(a);
+    return quotient(F(1.0F), sqrt(a));
 }
 template <class F>
 F reciprocal(F a) {
-    return F(1.0F) / a;
+    return quotient(F(1.0F), a);
+}
+#endif
+
+// ---- how a thread computes ----------------------------------------------------------------------
+
+#if XSIMD_WITH_NEON64
+inline constexpr std::uint64_t flush_to_zero = 1U << 24;  // FZ
+inline std::uint64_t control_word() {
+    std::uint64_t word = 0;
+    asm volatile("mrs %0, fpcr" : "=r"(word));
+    return word;
+}
+inline void set_control_word(std::uint64_t word) {
+    asm volatile("msr fpcr, %0" : : "r"(word));
+}
+#else
+inline constexpr std::uint64_t flush_to_zero = 0x8040;  // FTZ, DAZ
+inline std::uint64_t control_word() {
+    return _mm_getcsr();
+}
+inline void set_control_word(std::uint64_t word) {
+    _mm_setcsr(static_cast<unsigned>(word));
 }
 #endif
 
 }  // namespace simd
-
-// While it lives, numbers below 2^-126 count as 0 in this thread. They are darker than anything
-// that is seen, and slow: a highlight that fades away took half as long again.
-class FlushSubnormals {
-  public:
-#if XSIMD_WITH_NEON64
-    FlushSubnormals() {
-        asm volatile("mrs %0, fpcr" : "=r"(saved_));
-        asm volatile("msr fpcr, %0" : : "r"(saved_ | 1U << 24));  // FZ
-    }
-    ~FlushSubnormals() {
-        asm volatile("msr fpcr, %0" : : "r"(saved_));
-    }
-#else
-    FlushSubnormals() : saved_(_mm_getcsr()) {
-        _mm_setcsr(_mm_getcsr() | 0x8040U);
-    }  // FTZ, DAZ
-    ~FlushSubnormals() {
-        _mm_setcsr(static_cast<unsigned>(saved_));
-    }
-#endif
-    FlushSubnormals(const FlushSubnormals&) = delete;
-    FlushSubnormals& operator=(const FlushSubnormals&) = delete;
-
-  private:
-    std::uint64_t saved_ = 0;
-};
-
 }  // namespace glint

@@ -112,7 +112,7 @@ std::vector<std::string> allowed_rooms(const std::string& room) {
 
 std::span<const PackagePlaces> package_places() {
     static const std::vector<PackagePlaces> all{
-        {"xsimd/", {"framework/math/simd.hpp"}},
+        {"xsimd/", {"framework/math/registers.hpp"}},
         {"stb/stb_image", {"framework/image/png.cpp"}},
         {"stb/", {"framework/image/png.cpp", "framework/app/text.cpp"}},
         {"tiny_obj_loader", {"framework/geometry/obj.cpp"}},

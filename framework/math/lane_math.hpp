@@ -1,0 +1,194 @@
+// What is computed lane by lane beyond operators. Every function has a twin for float, std::int32_t
+// and bool, so that one template text runs on one lane or on many: write select(mask, a, b),
+// any(mask), all(mask), never if (mask).
+#pragma once
+
+#include "framework/math/lane_types.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+namespace glint {
+
+// ---- select, any, all ----------------------------------------------------------------------
+
+template <int N>
+Float<N> select(Mask<N> m, Float<N> yes, Float<N> no) {
+    return xsimd::select(m.v, yes.v, no.v);
+}
+template <int N>
+Float<N> select(Mask<N> m, std::type_identity_t<Float<N>> yes, float no) {
+    return select(m, yes, Float<N>(no));
+}
+template <int N>
+Float<N> select(Mask<N> m, float yes, std::type_identity_t<Float<N>> no) {
+    return select(m, Float<N>(yes), no);
+}
+template <int N>
+Float<N> select(Mask<N> m, float yes, float no) {
+    return select(m, Float<N>(yes), Float<N>(no));
+}
+template <int N>
+Int<N> select(Mask<N> m, Int<N> yes, std::type_identity_t<Int<N>> no) {
+    return bits_of(select(m, float_from_bits(yes), float_from_bits(no)));
+}
+template <class T>
+requires std::is_arithmetic_v<T> T select(bool m, T yes, std::type_identity_t<T> no) {
+    return m ? yes : no;
+}
+
+template <int N>
+bool any(Mask<N> m) {
+    return xsimd::any(m.v);
+}
+template <int N>
+bool all(Mask<N> m) {
+    return xsimd::all(m.v);
+}
+inline bool any(bool m) {
+    return m;
+}
+inline bool all(bool m) {
+    return m;
+}
+
+// ---- min, max, abs, sqrt, fma --------------------------------------------------------------
+
+// min and max return b where a and b are unordered: max(x, 0) turns NaN into 0.
+template <int N>
+Float<N> min(Float<N> a, std::type_identity_t<Float<N>> b) {
+    return simd::min(a.v, b.v);
+}
+template <int N>
+Float<N> max(Float<N> a, std::type_identity_t<Float<N>> b) {
+    return simd::max(a.v, b.v);
+}
+template <int N>
+Int<N> min(Int<N> a, std::type_identity_t<Int<N>> b) {
+    return xsimd::min(a.v, b.v);
+}
+template <int N>
+Int<N> max(Int<N> a, std::type_identity_t<Int<N>> b) {
+    return xsimd::max(a.v, b.v);
+}
+template <class T>
+requires std::is_arithmetic_v<T> T min(T a, std::type_identity_t<T> b) {
+    return a < b ? a : b;
+}
+template <class T>
+requires std::is_arithmetic_v<T> T max(T a, std::type_identity_t<T> b) {
+    return a > b ? a : b;
+}
+
+using std::abs;
+using std::sqrt;
+template <int N>
+Float<N> sqrt(Float<N> a) {
+    return simd::sqrt(a.v);
+}
+template <int N>
+Float<N> abs(Float<N> a) {
+    return xsimd::abs(a.v);
+}
+
+// 1/sqrt(a) of normal a > 0, and 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the
+// last place. Some processors give NaN where a is 0 or infinite.
+template <int N>
+Float<N> inverse_sqrt(Float<N> a) {
+    return simd::inverse_sqrt(a.v);
+}
+template <int N>
+Float<N> reciprocal(Float<N> a) {
+    return simd::reciprocal(a.v);
+}
+inline float inverse_sqrt(float a) {
+    return simd::inverse_sqrt(a);
+}
+inline float reciprocal(float a) {
+    return simd::reciprocal(a);
+}
+inline double inverse_sqrt(double a) {
+    return 1.0 / std::sqrt(a);
+}
+inline double reciprocal(double a) {
+    return 1.0 / a;
+}
+
+// a*b + c; of floats rounded once where the processor can, else twice, on one lane as on many.
+template <int N>
+Float<N> fma(Float<N> a, std::type_identity_t<Float<N>> b, std::type_identity_t<Float<N>> c) {
+    return simd::fma(a.v, b.v, c.v);
+}
+inline float fma(float a, float b, float c) {
+    return simd::fma(a, b, c);
+}
+inline double fma(double a, double b, double c) {
+    return std::fma(a, b, c);
+}
+
+// a 2^k, rounded once, for 1/2 <= a < 2 and whole k from -151 to 128.
+template <int N>
+Float<N> scale(Float<N> a, Float<N> k) {
+    return simd::scale(a.v, k.v);
+}
+inline float scale(float a, float k) {
+    return simd::scale(a, k);
+}
+
+// ---- conversions ---------------------------------------------------------------------------
+
+template <int N>
+Int<N> round_to_int(Float<N> a) {  // to nearest, ties to even; |a| < 2^31
+    return xsimd::nearbyint_as_int(a.v);
+}
+template <int N>
+Int<N> truncate_to_int(Float<N> a) {  // towards zero; |a| < 2^31
+    return xsimd::batch_cast<std::int32_t>(a.v);
+}
+template <int N>
+Float<N> to_float(Int<N> a) {
+    return Float<N>(a);
+}
+template <int N>
+Int<N> bits_of(Float<N> a) {
+    return std::bit_cast<simd::Ints<N>>(a.v);
+}
+template <int N>
+Float<N> float_from_bits(Int<N> a) {
+    return std::bit_cast<simd::Floats<N>>(a.v);
+}
+inline std::int32_t round_to_int(float a) {
+    return static_cast<std::int32_t>(__builtin_rintf(a));
+}
+template <class T>
+requires std::is_floating_point_v<T> std::int32_t truncate_to_int(T a) {
+    return static_cast<std::int32_t>(a);
+}
+inline float to_float(std::int32_t a) {
+    return static_cast<float>(a);
+}
+inline std::int32_t bits_of(float a) {
+    return std::bit_cast<std::int32_t>(a);
+}
+inline float float_from_bits(std::int32_t a) {
+    return std::bit_cast<float>(a);
+}
+
+// ---- subnormal numbers ---------------------------------------------------------------------
+
+// While it lives, numbers below 2^-126 count as 0 in this thread. They are darker than anything
+// that is seen, and slow: a highlight that fades away took half as long again.
+class FlushSubnormals {
+  public:
+    FlushSubnormals() { simd::set_control_word(saved_ | simd::flush_to_zero); }
+    ~FlushSubnormals() { simd::set_control_word(saved_); }
+    FlushSubnormals(const FlushSubnormals&) = delete;
+    FlushSubnormals& operator=(const FlushSubnormals&) = delete;
+
+  private:
+    std::uint64_t saved_ = simd::control_word();
+};
+
+}  // namespace glint

@@ -15,6 +15,7 @@ window_test_needs=("${window_needs[@]}" xvfb:Xvfb xdotool:xdotool imagemagick:im
 gallery_test_needs=(chromium:chromium chromium-driver:chromedriver curl:curl)
 count_test_needs=(valgrind:valgrind)
 chart_needs=(gnuplot-nox:gnuplot)
+peer_needs=(libegl-dev:EGL/egl.h libgles-dev:GLES3/gl3.h)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -154,7 +154,7 @@ class Run {
 }  // namespace
 
 BenchResult run_bench(const BenchOptions& options) {
-    BenchResult result;
+    BenchResult result{.rounds = options.rounds};
     for (const int threads : options.threads) {
         Run run(options, threads, result);
         for (const std::string& scene : options.scenes) {

@@ -47,10 +47,11 @@ struct SceneResult {
 };
 
 struct BenchResult {
-    std::string peer;                      // what llvmpipe says it is
+    int rounds = 0;                        // of which the least is taken
+    std::string peer{};                    // what llvmpipe says it is
     double fma_gflops = 0, write_gbs = 0;  // peaks of one core
-    std::vector<SceneResult> scenes;
-    Accuracy glint, llvmpipe;  // on the scene fill, if it was drawn
+    std::vector<SceneResult> scenes{};
+    Accuracy glint{}, llvmpipe{};  // on the scene fill, if it was drawn
 };
 
 // Draws and measures; tells about its progress on the error stream.

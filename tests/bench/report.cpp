@@ -117,7 +117,8 @@ std::string table(const BenchResult& result) {
 }
 
 nlohmann::json to_json(const BenchResult& result) {
-    nlohmann::json j{{"fma_gflops", result.fma_gflops},
+    nlohmann::json j{{"rounds", result.rounds},
+                     {"fma_gflops", result.fma_gflops},
                      {"write_gbs", result.write_gbs},
                      {"peer", result.peer},
                      {"instruction_set", instruction_set}};
@@ -152,7 +153,7 @@ std::string table(const ScalingResult& result) {
 }
 
 nlohmann::json to_json(const ScalingResult& result) {
-    nlohmann::json j;
+    nlohmann::json j{{"rounds", result.rounds}};
     for (const Scale& scale : result.scales) {
         nlohmann::json points;
         for (const ScalePoint& p : scale.points) {

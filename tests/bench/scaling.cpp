@@ -178,7 +178,7 @@ double Scale::slope(std::size_t i) const {
 }
 
 ScalingResult run_scaling(int rounds) {
-    ScalingResult r;
+    ScalingResult r{.rounds = rounds};
     r.memory = measure_memory();
     r.scales = {
         measure("pixels", "pixel", rounds, {180, 360, 540, 1080, 2160, 4320}, of_pixels),

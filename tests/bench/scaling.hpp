@@ -32,8 +32,9 @@ struct Memory {
 };
 
 struct ScalingResult {
-    std::vector<Scale> scales;
-    Memory memory;
+    int rounds = 0;  // of which the least is taken
+    std::vector<Scale> scales{};
+    Memory memory{};
 };
 
 // Tells about its progress on the error stream.

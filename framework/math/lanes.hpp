@@ -78,6 +78,16 @@ inline float lookup16(const float* table, std::int32_t index) {
     return table[index & 15];
 }
 
+// low[index] or, from N on, high[index - N], index mod 2 N: tables of as many numbers as there are
+// lanes; one instruction.
+template <int N>
+Float<N> lookup(const float* low, const float* high, Int<N> index) {
+    return simd::lookup(low, high, index.v);
+}
+inline float lookup(const float* low, const float* high, std::int32_t index) {
+    return (index & 1) == 0 ? *low : *high;
+}
+
 template <int N>
 float first_lane(Float<N> a) {
     return a.v.get(0);

@@ -81,6 +81,13 @@ xsimd::batch<float, typename I::arch_type> lookup16(const float* table, I index)
     return gather(table, index & I(15));
 }
 
+template <class I>
+xsimd::batch<float, typename I::arch_type> lookup(const float* low, const float* high, I index) {
+    const I lane = index & I(static_cast<int>(I::size) - 1);
+    const auto is_low = as_bools((index & I(static_cast<int>(I::size))) == I(0));
+    return xsimd::select(is_low, gather(low, lane), gather(high, lane));
+}
+
 // Four floats from each of N places as four registers, and back to N places side by side.
 template <class F>
 using Rows = std::array<F, 4>;

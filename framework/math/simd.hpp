@@ -94,10 +94,13 @@ inline Floats<8> gather(const float* from, Ints<8> index) {
 inline Ints<8> gather(const std::int32_t* from, Ints<8> index) {
     return _mm256_i32gather_epi32(from, index, 4);
 }
+inline Floats<8> lookup(const float* low, const float* high, Ints<8> index) {
+    const __m256 a = _mm256_permutevar8x32_ps(_mm256_loadu_ps(low), index);
+    const __m256 b = _mm256_permutevar8x32_ps(_mm256_loadu_ps(high), index);
+    return _mm256_blendv_ps(a, b, _mm256_castsi256_ps(_mm256_slli_epi32(index, 28)));
+}
 inline Floats<8> lookup16(const float* table, Ints<8> index) {
-    const __m256 low = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table), index);
-    const __m256 high = _mm256_permutevar8x32_ps(_mm256_loadu_ps(table + 8), index);
-    return _mm256_blendv_ps(low, high, _mm256_castsi256_ps(_mm256_slli_epi32(index, 28)));
+    return lookup(table, table + 8, index);
 }
 inline Rows<Floats<8>> transposed(const Rows<Floats<8>>& r) {  // within the halves
     const __m256 a = _mm256_unpacklo_ps(r[0], r[1]);
@@ -152,6 +155,9 @@ inline Floats<16> scale(Floats<16> a, Floats<16> k) {
 }
 inline Floats<16> lookup16(const float* table, Ints<16> index) {
     return _mm512_permutexvar_ps(index, _mm512_loadu_ps(table));
+}
+inline Floats<16> lookup(const float* low, const float* high, Ints<16> index) {
+    return _mm512_permutex2var_ps(_mm512_loadu_ps(low), index, _mm512_loadu_ps(high));
 }
 inline Rows<Floats<16>> transposed(const Rows<Floats<16>>& r) {  // within the quarters
     const __m512 a = _mm512_unpacklo_ps(r[0], r[1]);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 
 namespace glint {
 namespace {
@@ -38,26 +39,30 @@ class PlaneSetup {
     }
 
   private:
-    // Each triangle that owns a fragment once, in the order of the fragments.
+    // Each triangle that owns a fragment once, in submission order. No branch to mispredict.
     void list_owners() {
-        tile_.owners.clear();
-        tile_.plane_start.assign(tile_.triangles.size(), -1);
-        std::int32_t last = -1;
+        const std::size_t triangles = tile_.triangles.size();
+        auto& starts = tile_.plane_start;
+        starts.assign(triangles + N, -1);
         const std::int32_t* owner = tile_.fragment_triangle.data();
+        std::int32_t last = -1;
         for (std::size_t i = 0; i < tile_.fragments; i += N) {
             const std::size_t n = std::min<std::size_t>(N, tile_.fragments - i);
-            if (n == N && all(load<I>(owner + i) == I(last))) {
-                continue;
-            }
-            for (std::size_t j = i; j < i + n; ++j) {
-                last = owner[j];
-                auto& start = tile_.plane_start[static_cast<std::size_t>(last)];
-                if (start < 0) {
-                    start = 0;
-                    tile_.owners.push_back(last);
+            if (n < N || !all(load<I>(owner + i) == I(last))) {
+                for (std::size_t j = i; j < i + n; ++j) {
+                    last = owner[j];
+                    starts[static_cast<std::size_t>(last)] = 0;
                 }
             }
         }
+        tile_.owners.resize(triangles + N);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < triangles; i += N) {
+            const I triangle = iota<I>() + I(static_cast<std::int32_t>(i));
+            count += static_cast<std::size_t>(
+                store_compressed(&tile_.owners[count], load<I>(&starts[i]) == I(0), triangle));
+        }
+        tile_.owners.resize(count);
     }
 
     const TileTriangle& triangle(std::int32_t owner) const {
@@ -70,7 +75,7 @@ class PlaneSetup {
     // Up to N triangles of one shader.
     void set_up_group(std::span<const std::int32_t> owners, const Shader& shader) {
         const std::size_t start = tile_.planes.size();
-        tile_.planes.resize(start + N * Planes<N>::size(shader.varyings));
+        tile_.planes.resize(start + N * plane_values(shader.varyings));
         float* planes = &tile_.planes[start];
         const std::uint32_t done = set_up_small(owners, shader, planes);
         for (std::size_t lane = 0; lane < owners.size(); ++lane) {
@@ -85,44 +90,61 @@ class PlaneSetup {
         }
     }
 
-    // The vertices of the lanes' triangles, corner by corner, the farthest first: there S is
-    // smallest. Thrice vertex 0 where there is no triangle, or a piece of one that was clipped.
+    // The vertices of the lanes' triangles, corner by corner. Thrice vertex 0 where there is no
+    // triangle, or a piece of one that was clipped.
     struct Corners {
         std::array<std::uint32_t, 3 * N> vertex{};
         std::uint32_t whole = 0;  // lanes that hold a triangle
     };
     Corners corners(std::span<const std::int32_t> owners) const {
         Corners c;
-        const VertexBuffer& vertices = *frame_.vertices;
         for (std::size_t lane = 0; lane < owners.size(); ++lane) {
             const TriangleRef ref = triangle(owners[lane]).ref;
             if ((ref & piece_bit) != 0) {
                 continue;
             }
-            const glm::uvec3 v = frame_.mesh->triangles[ref];
-            const float s[] = {vertices[v.x].inverse_w, vertices[v.y].inverse_w,
-                               vertices[v.z].inverse_w};
-            const int far = s[0] <= s[1] ? (s[0] <= s[2] ? 0 : 2) : (s[1] <= s[2] ? 1 : 2);
-            for (std::size_t i = 0; i < 3; ++i) {
-                c.vertex[i * N + lane] = v[(far + static_cast<int>(i)) % 3];
-            }
+            const glm::uvec3& v = frame_.mesh->triangles[ref];
+            c.vertex[lane] = v.x;
+            c.vertex[lane + N] = v.y;
+            c.vertex[lane + 2 * N] = v.z;
             c.whole |= 1U << lane;
         }
         return c;
     }
 
+    // Turns the values of the corners so that corner 1, or else corner 2, comes first.
+    template <class V>
+    static void turn(M one, M two, V (&v)[3]) {
+        const V old[3] = {v[0], v[1], v[2]};
+        for (int i = 0; i < 3; ++i) {
+            v[i] = select(one, old[(i + 1) % 3], select(two, old[(i + 2) % 3], old[i]));
+        }
+    }
+
     // Sets up the small triangles of a group; bit i says that it did lane i.
     std::uint32_t set_up_small(std::span<const std::int32_t> owners, const Shader& shader,
                                float* planes) {
-        const Corners c = corners(owners);
+        Corners c = corners(owners);
+        I vertex[3];
         I x[3];
         I y[3];
         T s[3];
         for (std::size_t i = 0; i < 3; ++i) {
             const LaneVertices<N> v = load_vertices<N>(*frame_.vertices, &c.vertex[i * N]);
+            vertex[i] = load<I>(reinterpret_cast<const std::int32_t*>(&c.vertex[i * N]));
             x[i] = v.x;
             y[i] = v.y;
             s[i] = v.inverse_w;
+        }
+        // The farthest first: there S is smallest.
+        const M one = (s[1] < s[0]) & (s[1] <= s[2]);
+        const M two = (s[2] < s[0]) & (s[2] < s[1]);
+        turn(one, two, vertex);
+        turn(one, two, x);
+        turn(one, two, y);
+        turn(one, two, s);
+        for (std::size_t i = 0; i < 3; ++i) {
+            store(reinterpret_cast<std::int32_t*>(&c.vertex[i * N]), vertex[i]);
         }
         const I width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
         const I height = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);

@@ -11,25 +11,47 @@ namespace glint {
 // relative to a corner, so that nothing large cancels.
 //
 // The planes of N triangles, a group, are set up together and lie side by side: value j of a
-// triangle is N floats from its value j + 1.
-template <int N>
-struct Planes {
-    const float* data;
-    int count;  // varyings
+// triangle is N floats from its value j + 1. A group begins at a multiple of N. The values are
+//     the anchor's x and y, pixels from the tile's corner; S at the anchor, its dx and dy;
+//     all first, all d0, all dx, all dy
+inline std::size_t plane_values(int varyings) {
+    return 5 + 4 * static_cast<std::size_t>(varyings);
+}
 
-    static std::size_t size(int count) { return 5 + 4 * static_cast<std::size_t>(count); }
-    float x() const { return data[0]; }  // the anchor, pixels from the tile's corner
-    float y() const { return data[N]; }
-    float s(int i) const { return data[(2 + i) * N]; }  // s0, sx, sy
-    float first(int k) const { return data[(5 + k) * N]; }
-    float d(int i, int k) const { return data[(5 + (i + 1) * count + k) * N]; }  // d0, dx, dy
+// The planes of N fragments of one triangle.
+template <int N>
+class TrianglePlanes {
+  public:
+    TrianglePlanes(const TileBuffer& tile, std::int32_t start)
+        : data_(&tile.planes[static_cast<std::size_t>(start)]) {}
+
+    typename Lanes<N>::Float value(int j) const { return data_[j * N]; }
+
+  private:
+    const float* data_;
 };
 
+// The planes of N fragments, each of a triangle of one of two groups: lane is its place in the
+// first, or N more than its place in the second.
 template <int N>
-Planes<N> planes_of(const TileBuffer& tile, std::int32_t triangle, int varyings) {
-    const auto start = tile.plane_start[static_cast<std::size_t>(triangle)];
-    return {tile.planes.data() + start, varyings};
-}
+class GroupPlanes {
+    using I = typename Lanes<N>::Int;
+
+  public:
+    GroupPlanes(const TileBuffer& tile, std::int32_t first, std::int32_t second, const I& lane)
+        : first_(&tile.planes[static_cast<std::size_t>(first)]),
+          second_(&tile.planes[static_cast<std::size_t>(second)]),
+          lane_(lane) {}
+
+    typename Lanes<N>::Float value(int j) const {
+        return lookup(first_ + j * N, second_ + j * N, lane_);
+    }
+
+  private:
+    const float* first_;
+    const float* second_;
+    I lane_;
+};
 
 // Sets up the planes of the triangles that own fragments; N is the frame's lanes.
 void set_up_planes(const Frame& frame, TileBuffer& tile);

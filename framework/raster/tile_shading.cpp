@@ -70,46 +70,54 @@ class TileShading {
         const std::int32_t* triangle = &tile_.fragment_triangle[begin];
         const I triangles = load_padded<I>(triangle, n);
         if (all(triangles == I(triangle[0]))) {
-            interpolate_within(planes_of<N>(tile_, triangle[0], varyings), x, y, out);
+            const TrianglePlanes<N> planes(tile_, plane_start(triangle[0]));
+            interpolate_by(planes, x, y, varyings,
+                           [&](int k, const T& value) { store(out + k * batch, value); });
         } else {
-            interpolate_across(triangles, triangle, (1U << n) - 1, varyings, x, y, out);
+            interpolate_across(triangle, triangles, varyings, x, y, out);
         }
     }
 
-    // All of one triangle.
-    static void interpolate_within(const Planes<N>& p, T x, T y, float* out) {
-        x -= T(p.x());
-        y -= T(p.y());
-        const T w = reciprocal(T(p.s(0)) + T(p.s(1)) * x + T(p.s(2)) * y);
-        for (int k = 0; k < p.count; ++k) {
-            const T d = T(p.d(0, k)) + T(p.d(1, k)) * x + T(p.d(2, k)) * y;
-            store(out + k * batch, T(p.first(k)) + d * w);
+    std::int32_t plane_start(std::int32_t triangle) const {
+        return tile_.plane_start[static_cast<std::size_t>(triangle)];
+    }
+
+    // Of several triangles: one round for every two groups.
+    void interpolate_across(const std::int32_t* triangle, I triangles, int varyings, T x, T y,
+                            float* out) const {
+        const I starts = gather(tile_.plane_start.data(), triangles);
+        const I place = starts & I(N - 1);
+        const I groups = starts - place;
+        const auto group_of = [&](std::uint32_t lanes) {
+            return plane_start(triangle[std::countr_zero(lanes)]) & -N;
+        };
+        for (std::uint32_t left = lane_bits(M(true)); left != 0;) {
+            const std::int32_t first = group_of(left);
+            const M in_first = groups == I(first);
+            left &= ~lane_bits(in_first);
+            const std::int32_t second = left == 0 ? first : group_of(left);
+            const M in_second = groups == I(second);
+            left &= ~lane_bits(in_second);
+            const GroupPlanes<N> planes(tile_, first, second,
+                                        select(in_first, place, place + I(N)));
+            const M mine = in_first | in_second;
+            interpolate_by(planes, x, y, varyings, [&](int k, const T& value) {
+                store(out + k * batch, select(mine, value, load<T>(out + k * batch)));
+            });
         }
     }
 
-    // Of several triangles: one round for each.
-    void interpolate_across(I triangles, const std::int32_t* triangle, std::uint32_t left,
-                            int varyings, T x, T y, float* out) const {
-        T s(1.0F);
-        T first[max_varyings];
-        T d[max_varyings];
-        while (left != 0) {
-            const std::int32_t t = triangle[std::countr_zero(left)];
-            const M mine = triangles == I(t);
-            const Planes<N> p = planes_of<N>(tile_, t, varyings);
-            const T px = x - T(p.x());
-            const T py = y - T(p.y());
-            s = select(mine, T(p.s(0)) + T(p.s(1)) * px + T(p.s(2)) * py, s);
-            for (int k = 0; k < varyings; ++k) {
-                first[k] = select(mine, T(p.first(k)), first[k]);
-                d[k] = select(mine, T(p.d(0, k)) + T(p.d(1, k)) * px + T(p.d(2, k)) * py, d[k]);
-            }
-            left &= ~lane_bits(mine);
-        }
-        const T w = reciprocal(s);
+    // Calls put(k, varying k) for each. Rounds the same way whatever the planes.
+    template <class Planes, class Put>
+    static void interpolate_by(const Planes& planes, T x, T y, int varyings, Put&& put) {
+        x -= planes.value(0);
+        y -= planes.value(1);
+        const T w = reciprocal(fma(planes.value(4), y, fma(planes.value(3), x, planes.value(2))));
         for (int k = 0; k < varyings; ++k) {
-            // All lanes are set. NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
-            store(out + k * batch, first[k] + d[k] * w);
+            const T dx = planes.value(5 + 2 * varyings + k);
+            const T dy = planes.value(5 + 3 * varyings + k);
+            const T d = fma(dy, y, fma(dx, x, planes.value(5 + varyings + k)));
+            put(k, fma(d, w, planes.value(5 + k)));
         }
     }
 

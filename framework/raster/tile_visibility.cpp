@@ -54,16 +54,18 @@ class Coverage {
 
     // depth and owner: of the tile.
     void draw(float* depth, std::int32_t* owner, std::int32_t triangle) const {
+        const std::ptrdiff_t first = (first_row_ * tile_blocks + first_column_) * block_pixels;
+        if (columns_ < 4) {
+            draw_narrow(depth + first, owner + first, triangle);
+            return;
+        }
         for (std::int32_t row = 0; row < rows_; ++row) {
-            std::uint32_t touched = (1U << columns_) - 1;
+            std::uint32_t touched = 0;
             std::uint32_t full = 0;
-            if (columns_ >= 4) {
-                classify_row(row, touched, full);
-            }
+            classify_row(row, touched, full);
             for (; touched != 0; touched &= touched - 1) {
                 const std::int32_t column = std::countr_zero(touched);
-                const std::ptrdiff_t at =
-                    ((first_row_ + row) * tile_blocks + first_column_ + column) * block_pixels;
+                const std::ptrdiff_t at = first + (row * tile_blocks + column) * block_pixels;
                 if ((full >> column & 1U) != 0) {
                     draw_block<true>(column, row, depth + at, owner + at, triangle);
                 } else {
@@ -74,6 +76,43 @@ class Coverage {
     }
 
   private:
+    // All blocks, step by step; depth and owner of the first.
+    void draw_narrow(float* depth, std::int32_t* owner, std::int32_t triangle) const {
+        I step[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            step[i] = I(a_[i] * block_size);
+        }
+        for (std::int32_t row = 0; row < rows_; ++row) {
+            for (int p = 0; p < parts; ++p) {
+                std::ptrdiff_t at = row * tile_blocks * block_pixels + p * N;
+                I e[3];
+                for (std::size_t i = 0; i < 3; ++i) {
+                    e[i] = within_[i][p] + I(b_[i] * block_size * row);
+                }
+                T x = x_[p];
+                const T y = y_[p] + T(static_cast<float>(row * block_size));
+                for (std::int32_t column = 0; column < columns_; ++column, at += block_pixels) {
+                    const M inside = (e[0] | e[1] | e[2]) >= I(0);
+                    put(inside, x, y, depth + at, owner + at, triangle);
+                    for (std::size_t i = 0; i < 3; ++i) {
+                        e[i] += step[i];
+                    }
+                    x += T(static_cast<float>(block_size));
+                }
+            }
+        }
+    }
+
+    // Where the triangle is inside and nearer than what is there.
+    void put(M inside, T x, T y, float* depth, std::int32_t* owner, std::int32_t triangle) const {
+        // DepthPlane::at(), with the sample's position relative to the anchor.
+        const T z = min(max(z_ + (dzdx_ * x + dzdy_ * y), low_), high_);
+        const T known = load<T>(depth);
+        const M wins = inside & (z > known);
+        store(depth, select(wins, z, known));
+        store(owner, select(wins, I(triangle), load<I>(owner)));
+    }
+
     // Of a row of blocks: which the triangle may touch, and which it covers entirely.
     void classify_row(std::int32_t row, std::uint32_t& touched, std::uint32_t& full) const {
         std::uint32_t outside = 0;
@@ -92,7 +131,7 @@ class Coverage {
             outside |= lane_bits(out) << first;
             partial |= lane_bits(part) << first;
         }
-        touched &= ~outside;
+        touched = ~outside & ((1U << columns_) - 1);
         full = ~partial;
     }
 
@@ -101,23 +140,17 @@ class Coverage {
                     std::int32_t triangle) const {
         const T block_x(static_cast<float>(column * block_size));
         const T block_y(static_cast<float>(row * block_size));
-        std::int32_t step[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            step[i] = (a_[i] * column + b_[i] * row) * block_size;
-        }
         for (int p = 0; p < parts; ++p) {
-            // DepthPlane::at(), with the sample's position relative to the anchor.
-            const T z =
-                min(max(z_ + (dzdx_ * (x_[p] + block_x) + dzdy_ * (y_[p] + block_y)), low_), high_);
-            const T known = load<T>(depth + p * N);
-            M wins = z > known;
+            M inside = true;
             if constexpr (!full) {
-                const I inside = (I(step[0]) + within_[0][p]) | (I(step[1]) + within_[1][p]) |
-                                 (I(step[2]) + within_[2][p]);
-                wins = wins & (inside >= I(0));
+                I signs(0);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    signs =
+                        signs | (within_[i][p] + I((a_[i] * column + b_[i] * row) * block_size));
+                }
+                inside = signs >= I(0);
             }
-            store(depth + p * N, select(wins, z, known));
-            store(owner + p * N, select(wins, I(triangle), load<I>(owner + p * N)));
+            put(inside, x_[p] + block_x, y_[p] + block_y, depth + p * N, owner + p * N, triangle);
         }
     }
 
@@ -143,8 +176,10 @@ class TileVisibility {
     }
 
     void draw(const TileBins& bins, std::uint32_t chunk, std::span<const TriangleRef> refs) {
-        for (const TriangleRef ref : refs) {
-            tile_.triangles.push_back({chunk, ref});
+        const std::size_t known = tile_.triangles.size();
+        tile_.triangles.resize(known + refs.size());
+        for (std::size_t i = 0; i < refs.size(); ++i) {
+            tile_.triangles[known + i] = {chunk, refs[i]};
         }
         for (std::size_t i = 0; i < refs.size(); i += N) {
             draw_group(bins, refs.subspan(i, std::min<std::size_t>(N, refs.size() - i)));

@@ -252,7 +252,7 @@ TEST_CASE_TEMPLATE("load and store any alignment", F, float, Float4, Float8, Flo
     }
 }
 
-TEST_CASE_TEMPLATE("gather and lookup16 read where the index says", F, float, Float4, Float8,
+TEST_CASE_TEMPLATE("gather and lookups read where the index says", F, float, Float4, Float8,
                    Float16) {
     using I = IntOf<F>;
     std::array<float, 1000> table{};
@@ -272,6 +272,12 @@ TEST_CASE_TEMPLATE("gather and lookup16 read where the index says", F, float, Fl
         const auto r = lookup16(&table[3], iota<I>() + I(first));
         for (int k = 0; k < lanes_of<F>; ++k) {
             CHECK(lane(r, k) == 0.5F * static_cast<float>(3 + ((first + k) & 15)));
+        }
+        const auto two = lookup(&table[3], &table[500], iota<I>() * I(3) + I(first));
+        for (int k = 0; k < lanes_of<F>; ++k) {
+            const int index = (first + 3 * k) % (2 * lanes_of<F>);
+            const int place = index < lanes_of<F> ? 3 + index : 500 + index - lanes_of<F>;
+            CHECK(lane(two, k) == 0.5F * static_cast<float>(place));
         }
     }
 }

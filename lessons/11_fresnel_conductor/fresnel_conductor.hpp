@@ -17,10 +17,11 @@ Reflectances<T> fresnel_conductor(const T& ior, const T& k, const T& cos_i) {
     const T c = clamp(cos_i, T(0.0F), T(1.0F));
     // SOLUTION 11.1
     const T s2 = (T(1.0F) - c) * (T(1.0F) + c);
-    const T grazing = (ior - T(1.0F)) * (ior + T(1.0F)) + c * c;  // ior^2 - s^2, and so is:
-    const T steep = ior * ior - s2;                               // each cancels where not used
-    const T q = select(s2 > T(0.5F), grazing, steep) - k * k;     // a^2 - b^2
-    const T ab = ior * k;
+    const T n = max(ior, T(1e-18F));                           // the square of less may be 0
+    const T grazing = (n - T(1.0F)) * (n + T(1.0F)) + c * c;   // n^2 - s^2, and so is:
+    const T steep = n * n - s2;                                // each cancels where not used
+    const T q = select(s2 > T(0.5F), grazing, steep) - k * k;  // a^2 - b^2
+    const T ab = n * k;
     // The greater of a^2 and b^2 without a difference, the smaller from their product.
     const T greater = T(0.5F) * (abs(q) + sqrt(q * q + T(4.0F) * ab * ab));
     const T smaller = ab * (ab / max(greater, T(1e-30F)));

@@ -250,6 +250,13 @@ TEST_CASE_TEMPLATE("11 at its ends", T, float, double, Float4, Float8, Float16) 
             }
         }
     }
+    for (const float ior : {1e-16F, 1e-18F, 1e-22F, 1e-30F, 1e-40F}) {  // its square is lost
+        for (const float c : {0.0F, 1e-8F, 0.5F, 1.0F}) {
+            const auto r = fresnel_conductor(T(ior), T(0.0F), T(c));
+            CHECK(value(r.parallel) == doctest::Approx(1));
+            CHECK(value(r.perpendicular) == doctest::Approx(1));
+        }
+    }
     for (const float c : {0.0F, 1e-8F, 0.5F, 1.0F}) {  // air in air
         CHECK(value(fresnel_conductor(T(1.0F), T(0.0F), T(c)).unpolarised) < 1e-12);
     }

@@ -17,9 +17,12 @@ function(glint_precompile target rounding)
 endfunction()
 
 # glint_room(NAME HEADERS h... [SOURCES s...] USES room...): one folder of framework/, a library.
+# Each header is compiled alone: by the .cpp of its name, which it opens, or by header verification.
 function(glint_room name)
   cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;USES" ${ARGN})
   list(TRANSFORM arg_USES PREPEND glint_)
+  list(TRANSFORM arg_SOURCES REPLACE "\\.cpp$" ".hpp" OUTPUT_VARIABLE opened)
+  list(REMOVE_ITEM arg_HEADERS ${opened})
   if(arg_SOURCES)
     add_library(glint_${name} STATIC ${arg_SOURCES})
     target_link_libraries(glint_${name} PUBLIC glint_options ${arg_USES} PRIVATE glint_exact)
@@ -52,6 +55,12 @@ function(glint_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE
     ${arg_USES} glint_processor_check glint_exact glint_test_main)
+  if(CMAKE_CROSSCOMPILING_EMULATOR)
+    list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
+    target_compile_definitions(${name} PRIVATE EMULATOR="${emulator}")
+  endif()
+  # Files of tests help themselves to the same names.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   glint_precompile(${name} exact)
   add_test(NAME ${name} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()

@@ -87,7 +87,7 @@ void add_camera(CLI::App& app, Options& o) {
 void add_lights(CLI::App& app, Options& o) {
     repeatable(app, "--light", "X,Y,Z:R,G,B",
                "directional light: towards it, irradiance; repeatable", [&](Text t) {
-                   const auto [direction, irradiance] = light("--light", t);
+                   const auto [direction, irradiance] = light_at("--light", t);
                    const glm::vec3 unit = normalize_or(direction, glm::vec3(0));
                    if (unit == glm::vec3(0)) {
                        refuse("--light", t, "needs a direction that is not 0,0,0");
@@ -96,7 +96,7 @@ void add_lights(CLI::App& app, Options& o) {
                });
     repeatable(app, "--point-light", "X,Y,Z:R,G,B", "point light: place, intensity; repeatable",
                [&](Text t) {
-                   const auto [position, intensity] = light("--point-light", t);
+                   const auto [position, intensity] = light_at("--point-light", t);
                    o.point_lights.push_back({position, intensity});
                });
     option(app, "--ambient", "R,G,B", "radiance from all directions",
@@ -152,7 +152,7 @@ void add_output(CLI::App& app, Options& o, const std::string& name) {
                                           {"tiles", ViewMode::tiles}});
            });
     option(app, "--frames", "N", "draw so often, for --stats (1); with --window, close it then",
-           [&](Text t) { o.frames = count("--frames", t, 1000000); });
+           [&](Text t) { o.frames = count_up_to("--frames", t, 1000000); });
     option(app, "--stats", "FILE|-", "times and counts as JSON; - for standard output",
            [&](Text t) { o.stats = t; });
     option(app, "--probe", "X,Y", "explain this pixel, in float and in double", [&](Text t) {

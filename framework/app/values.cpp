@@ -57,7 +57,7 @@ float number_within(const std::string& option, const std::string& text, float lo
     return *value;
 }
 
-int count(const std::string& option, const std::string& text, int most) {
+int count_up_to(const std::string& option, const std::string& text, int most) {
     const auto value = whole_number(text);
     if (!value || *value < 1 || *value > most) {
         refuse(option, text, "needs a whole number within 1.." + std::to_string(most));
@@ -95,7 +95,7 @@ Rgb<float> light_amount(const std::string& option, const std::string& text) {
     return c;
 }
 
-std::pair<glm::vec3, Rgb<float>> light(const std::string& option, const std::string& text) {
+std::pair<glm::vec3, Rgb<float>> light_at(const std::string& option, const std::string& text) {
     const auto parts = split(text, ':');
     if (parts.size() != 2) {
         refuse(option, text, "needs a place or direction and a colour, x,y,z:r,g,b");
@@ -130,7 +130,7 @@ int thread_count(const std::string& text) {
     if (text == "auto") {
         return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
     }
-    return count("--threads", text, 256);
+    return count_up_to("--threads", text, 256);
 }
 
 }  // namespace glint

@@ -21,6 +21,14 @@ namespace {
 
 using oracle::Random;
 
+#ifdef EMULATOR
+constexpr std::uint64_t scenes = 20;
+constexpr int sample_counts[] = {1, 4};
+#else
+constexpr std::uint64_t scenes = 300;
+constexpr int sample_counts[] = {1, 2, 4, 8, 16};
+#endif
+
 // The largest difference between components, relative where they are above 1.
 double colour_difference(const LinearImage& a, const LinearImage& b) {
     double worst = 0;
@@ -117,7 +125,7 @@ TEST_CASE("every lesson: scanline and tiles, all lanes, threads, samples and way
         const ShaderSet set = lesson.shaders(scene, lesson.parameters);
         const Task task{scene.mesh, view_of(scene, 130, 70), set.shaders, scene.background,
                         lesson.tolerance};
-        for (const int samples : {1, 2, 4, 8, 16}) {
+        for (const int samples : sample_counts) {
             for (const bool sample_shading : {false, true}) {
                 for (const Cull cull : {Cull::none, Cull::back}) {
                     const Settings settings{
@@ -213,7 +221,7 @@ TEST_CASE("random scenes in pictures of awkward sizes") {
                                                         {61, 7},
                                                         {65, 66},
                                                         {4, 4}}};
-    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
         CAPTURE(seed);
         Random random(seed);
         const auto [width, height] = sizes[seed % sizes.size()];

@@ -1,5 +1,6 @@
 // Every lesson's program: scanline and tiles draw the same picture, in any width of lanes and with
 // any number of threads.
+#include "framework/image/metrics.hpp"
 #include "framework/image/pfm.hpp"
 #include "framework/image/png.hpp"
 #include "tests/pictures/lesson_programs.hpp"
@@ -85,6 +86,18 @@ TEST_CASE("every lesson's program draws the same by scanline and by tiles") {
         lesson.check_colours();
         lesson.check_view("triangle");
         lesson.check_view("depth");
+    }
+}
+
+TEST_CASE("every lesson's program draws its golden, as lessons/run --check holds it") {
+    const TemporaryFolder folder;
+    for (const std::string& name : lesson_names()) {
+        CAPTURE(name);
+        REQUIRE(run(lesson_program(name), folder, "--out mine.png").status == 0);
+        const Metrics m = measure_difference(read_png("assets/golden/" + name + ".png"),
+                                             read_png(folder / "mine.png"));
+        CHECK(m.rmse <= 0.05);
+        CHECK(m.over_one <= 0.0001);
     }
 }
 

@@ -10,6 +10,10 @@
 #include <string>
 #include <sys/wait.h>
 
+#ifndef EMULATOR
+#define EMULATOR ""  // what runs the programs of another processor
+#endif
+
 namespace glint {
 
 inline std::string text_of(const std::filesystem::path& path) {
@@ -29,8 +33,8 @@ struct Run {
 inline Run run(const std::string& program, const TemporaryFolder& folder,
                const std::string& arguments) {
     const TemporaryFolder words;
-    const std::string command = "cd '" + (folder / "").string() + "' && '" + program + "' " +
-                                arguments + " > '" + (words / "out").string() + "' 2> '" +
+    const std::string command = "cd '" + (folder / "").string() + "' && " EMULATOR " '" + program +
+                                "' " + arguments + " > '" + (words / "out").string() + "' 2> '" +
                                 (words / "err").string() + "'";
     const int result = std::system(command.c_str());
     if (!WIFEXITED(result)) {

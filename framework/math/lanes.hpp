@@ -41,6 +41,17 @@ void store(T* to, T a) {
     *to = a;
 }
 
+// Past the caches, for what is not read soon. to: aligned to the size of a. Other threads may read
+// it after finish_streaming() in this one.
+template <int N>
+void store_streaming(std::int32_t* to, Int<N> a) {
+    simd::store_streaming(to, a.v);
+}
+inline void store_streaming(std::int32_t* to, std::int32_t a) {
+    *to = a;
+}
+using simd::finish_streaming;
+
 // 0, 1, 2, ... one number a lane.
 template <class T>
 T iota() {

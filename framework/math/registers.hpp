@@ -115,6 +115,11 @@ void store_rows(float* to, const Rows<F>& columns) {
 }
 
 template <class I>
+void store_streaming(std::int32_t* to, I a) {
+    a.store_unaligned(to);
+}
+
+template <class I>
 int store_compressed(std::int32_t* to, std::uint32_t lanes, I a) {
     alignas(64) std::int32_t value[I::size];
     a.store_aligned(value);

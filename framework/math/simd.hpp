@@ -68,6 +68,9 @@ inline Floats<4> fma(Floats<4> a, Floats<4> b, Floats<4> c) {
     return _mm_fmadd_ps(a, b, c);
 }
 #endif
+inline void store_streaming(std::int32_t* to, Ints<4> a) {
+    _mm_stream_si128(reinterpret_cast<__m128i*>(to), a);
+}
 inline std::uint32_t lane_bits(Bools<4> m) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(m));
 }
@@ -126,6 +129,9 @@ inline void store_rows(float* to, const Rows<Floats<8>>& columns) {
         _mm_storeu_ps(to + 4 * i, _mm256_castps256_ps128(r[i]));
         _mm_storeu_ps(to + 4 * i + 16, _mm256_extractf128_ps(r[i], 1));
     }
+}
+inline void store_streaming(std::int32_t* to, Ints<8> a) {
+    _mm256_stream_si256(reinterpret_cast<__m256i*>(to), a);
 }
 inline std::uint32_t lane_bits(Bools<8> m) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(m));
@@ -188,6 +194,9 @@ inline void store_rows(float* to, const Rows<Floats<16>>& columns) {
         _mm_storeu_ps(to + 4 * i + 48, _mm512_extractf32x4_ps(r[i], 3));
     }
 }
+inline void store_streaming(std::int32_t* to, Ints<16> a) {
+    _mm512_stream_si512(reinterpret_cast<__m512i*>(to), a);
+}
 inline std::uint32_t lane_bits(Bools<16> m) {
     return static_cast<std::uint32_t>(m.data);
 }
@@ -196,6 +205,13 @@ inline int store_compressed(std::int32_t* to, std::uint32_t lanes, Ints<16> a) {
     return std::popcount(lanes);
 }
 #endif
+
+// Other threads see what was streamed before only after this.
+inline void finish_streaming() {
+#if !XSIMD_WITH_NEON64
+    _mm_sfence();
+#endif
+}
 
 // ---- estimates ---------------------------------------------------------------------------------
 

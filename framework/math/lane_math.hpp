@@ -4,6 +4,7 @@
 #pragma once
 
 #include "framework/math/lane_types.hpp"
+#include "framework/math/simd_precision.hpp"
 
 #include <bit>
 #include <cmath>

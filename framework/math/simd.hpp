@@ -1,5 +1,6 @@
 // The instruction set: which registers there are, and what one instruction does that xsimd 8 does
-// with several or rounds otherwise. Nothing else in Glint knows more of it than max_lanes.
+// with several or rounds otherwise. Nothing else in Glint but simd_precision.hpp knows more of it
+// than max_lanes.
 #pragma once
 
 #include "framework/math/registers.hpp"
@@ -212,81 +213,6 @@ inline void finish_streaming() {
     _mm_sfence();
 #endif
 }
-
-// ---- estimates ---------------------------------------------------------------------------------
-
-// 14 bits and a step of Newton's iteration, which doubles them: a third of the time that root and
-// quotient take. The same bits in registers of any width.
-#if defined(__AVX512VL__)
-inline __m512 root_estimate(__m512 a) {
-    return _mm512_rsqrt14_ps(a);
-}
-inline __m256 root_estimate(__m256 a) {
-    return _mm256_rsqrt14_ps(a);
-}
-inline __m128 root_estimate(__m128 a) {
-    return _mm_rsqrt14_ps(a);
-}
-inline float root_estimate(float a) {
-    return _mm_cvtss_f32(_mm_rsqrt14_ss(_mm_setzero_ps(), _mm_set_ss(a)));
-}
-inline __m512 quotient_estimate(__m512 a) {
-    return _mm512_rcp14_ps(a);
-}
-inline __m256 quotient_estimate(__m256 a) {
-    return _mm256_rcp14_ps(a);
-}
-inline __m128 quotient_estimate(__m128 a) {
-    return _mm_rcp14_ps(a);
-}
-inline float quotient_estimate(float a) {
-    return _mm_cvtss_f32(_mm_rcp14_ss(_mm_setzero_ps(), _mm_set_ss(a)));
-}
-template <class F>
-F inverse_sqrt(F a) {
-    const F y = root_estimate(a);
-    const F ay = a * y;
-    const F rest = fma(a, y, -ay);  // what ay lost by rounding
-    const F error = fma(-rest, y, fma(-ay, y, F(1.0F)));
-    return fma(y * F(0.5F), error, y);
-}
-template <class F>
-F reciprocal(F a) {
-    const F y = quotient_estimate(a);
-    return fma(y, fma(-a, y, F(1.0F)), y);
-}
-#else
-template <class F>
-F inverse_sqrt(F a) {
-    return quotient(F(1.0F), sqrt(a));
-}
-template <class F>
-F reciprocal(F a) {
-    return quotient(F(1.0F), a);
-}
-#endif
-
-// ---- how a thread computes ----------------------------------------------------------------------
-
-#if XSIMD_WITH_NEON64
-inline constexpr std::uint64_t flush_to_zero = 1U << 24;  // FZ
-inline std::uint64_t control_word() {
-    std::uint64_t word = 0;
-    asm volatile("mrs %0, fpcr" : "=r"(word));
-    return word;
-}
-inline void set_control_word(std::uint64_t word) {
-    asm volatile("msr fpcr, %0" : : "r"(word));
-}
-#else
-inline constexpr std::uint64_t flush_to_zero = 0x8040;  // FTZ, DAZ
-inline std::uint64_t control_word() {
-    return _mm_getcsr();
-}
-inline void set_control_word(std::uint64_t word) {
-    _mm_setcsr(static_cast<unsigned>(word));
-}
-#endif
 
 }  // namespace simd
 }  // namespace glint

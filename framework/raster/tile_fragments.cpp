@@ -28,18 +28,33 @@ class FragmentList {
             tile_.fragment_share.resize(most);
         }
         tile_.fragments = 0;
+        if (offsets_.size() == 1) {
+            list_single();
+            return;
+        }
         for (int pixel = 0; pixel < tile_pixels; pixel += N) {
             const T depth = load<T>(&tile_.depth[static_cast<std::size_t>(pixel)]);
             const I owner = load<I>(&tile_.owner[static_cast<std::size_t>(pixel)]);
-            if (offsets_.size() == 1) {
-                add(depth > T(0.0F), pixel, owner);
-            } else {
-                list_multisampled(pixel, depth, owner);
-            }
+            list_multisampled(pixel, depth, owner);
         }
     }
 
   private:
+    // One sample a pixel. All is local, for what is stored might be what the tile's members are.
+    void list_single() {
+        const float* depth = tile_.depth.data();
+        const std::int32_t* owner = tile_.owner.data();
+        std::int32_t* pixels = tile_.fragment_pixel.data();
+        std::int32_t* triangles = tile_.fragment_triangle.data();
+        std::ptrdiff_t count = 0;
+        for (int pixel = 0; pixel < tile_pixels; pixel += N) {
+            const M there = load<T>(depth + pixel) > T(0.0F);
+            store_compressed(pixels + count, there, iota<I>() + I(pixel));
+            count += store_compressed(triangles + count, there, load<I>(owner + pixel));
+        }
+        tile_.fragments = static_cast<std::size_t>(count);
+    }
+
     void add(M there, int pixel, I owner) {
         store_compressed(&tile_.fragment_pixel[tile_.fragments], there, iota<I>() + I(pixel));
         tile_.fragments += static_cast<std::size_t>(

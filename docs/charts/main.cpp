@@ -2,7 +2,7 @@
 // date. docs/charts/run draws the charts.
 #include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
-#include "framework/math/simd.hpp"
+#include "framework/math/lane_math.hpp"
 #include "docs/charts/families.hpp"
 #include "docs/charts/report.hpp"
 

@@ -38,10 +38,7 @@ inline float quotient_estimate(float a) {
 template <class F>
 F inverse_sqrt(F a) {
     const F y = root_estimate(a);
-    const F ay = a * y;
-    const F rest = fma(a, y, -ay);  // what ay lost by rounding
-    const F error = fma(-rest, y, fma(-ay, y, F(1.0F)));
-    return fma(y * F(0.5F), error, y);
+    return fma(y * F(0.5F), fma(-a * y, y, F(1.0F)), y);
 }
 template <class F>
 F reciprocal(F a) {

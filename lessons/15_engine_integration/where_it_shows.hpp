@@ -43,9 +43,12 @@ struct WhereItShows {
     // Lanes stay together: one within reach takes all along.
     template <Real T>
     Rgb<T> operator()(const Incidence<T>& g) const {
-        return any(v_dot_r(g) > T(highlight_from))
-                   ? phong(g)
-                   : diffuse_by_f0(Rgb<T>(phong.Cd), Rgb<T>(phong.F0));
+        const Rgb<T> f0(phong.F0);
+        Rgb<T> f = diffuse_by_f0(Rgb<T>(phong.Cd), f0);
+        if (any(v_dot_r(g) > T(highlight_from))) {
+            f += specular_by_angle(f0, T(phong.n), g);
+        }
+        return f;
     }
     Rgb<float> ambient_albedo() const { return phong.ambient_albedo(); }
 };

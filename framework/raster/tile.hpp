@@ -75,8 +75,10 @@ struct TileBuffer {
     // The triangles that own fragments; by triangle, where its planes begin. See tile_planes.hpp.
     std::vector<std::int32_t> owners, plane_start;
     std::vector<float> planes;
+    bool anchored_at_corners = true;  // all planes of the tile
 
-    // The fragments are sorted by shader: where each shader's end; and scratch for sorting.
+    // The fragments are sorted by shader: where each shader's end; and scratch for sorting and
+    // for runs of fragments.
     std::vector<std::uint32_t> shader_end, order;
     std::vector<std::int32_t> sorted_ints;
     std::vector<float> sorted_floats;
@@ -129,7 +131,7 @@ inline ScreenTriangle screen_triangle(const Frame& frame, TileTriangle t) {
 // Finds who wins each sample of the tile; false where nobody wins any.
 bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer);
 
-// Lists the fragments of what find_visible() found, sorted by shader.
+// Lists the fragments of what find_visible() found, sorted by shader, and who owns them.
 void list_fragments(const Frame& frame, TileBuffer& buffer);
 
 // Shades them into buffer.colour or buffer.codes.

@@ -11,8 +11,8 @@
 namespace glint {
 namespace {
 
-// Below this extent (64 pixels) the doubled area fits 32 bits.
-constexpr std::int32_t small_extent = tile_size * subpixel_one;
+// Below this extent (128 pixels) the doubled area fits 32 bits.
+constexpr std::int32_t small_extent = 128 * subpixel_one;
 
 template <int N>
 class PlaneSetup {
@@ -25,7 +25,7 @@ class PlaneSetup {
 
     void run() {
         tile_.planes.clear();
-        list_owners();
+        tile_.anchored_at_corners = true;
         const std::span<const std::int32_t> owners(tile_.owners);
         for (std::size_t begin = 0; begin < owners.size();) {
             const Shader& shader = shader_of(owners[begin]);
@@ -39,32 +39,6 @@ class PlaneSetup {
     }
 
   private:
-    // Each triangle that owns a fragment once, in submission order. No branch to mispredict.
-    void list_owners() {
-        const std::size_t triangles = tile_.triangles.size();
-        auto& starts = tile_.plane_start;
-        starts.assign(triangles + N, -1);
-        const std::int32_t* owner = tile_.fragment_triangle.data();
-        std::int32_t last = -1;
-        for (std::size_t i = 0; i < tile_.fragments; i += N) {
-            const std::size_t n = std::min<std::size_t>(N, tile_.fragments - i);
-            if (n < N || !all(load<I>(owner + i) == I(last))) {
-                for (std::size_t j = i; j < i + n; ++j) {
-                    last = owner[j];
-                    starts[static_cast<std::size_t>(last)] = 0;
-                }
-            }
-        }
-        tile_.owners.resize(triangles + N);
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < triangles; i += N) {
-            const I triangle = iota<I>() + I(static_cast<std::int32_t>(i));
-            count += static_cast<std::size_t>(
-                store_compressed(&tile_.owners[count], load<I>(&starts[i]) == I(0), triangle));
-        }
-        tile_.owners.resize(count);
-    }
-
     const TileTriangle& triangle(std::int32_t owner) const {
         return tile_.triangles[static_cast<std::size_t>(owner)];
     }
@@ -81,6 +55,7 @@ class PlaneSetup {
         for (std::size_t lane = 0; lane < owners.size(); ++lane) {
             const TileTriangle& t = triangle(owners[lane]);
             if ((done >> lane & 1U) == 0) {
+                tile_.anchored_at_corners = false;
                 set_up_any(screen_triangle(frame_, t), shader, planes + lane);
             }
             tile_.plane_start[static_cast<std::size_t>(owners[lane])] =
@@ -112,40 +87,50 @@ class PlaneSetup {
         return c;
     }
 
-    // Turns the values of the corners so that corner 1, or else corner 2, comes first.
-    template <class V>
-    static void turn(M one, M two, V (&v)[3]) {
-        const V old[3] = {v[0], v[1], v[2]};
-        for (int i = 0; i < 3; ++i) {
-            v[i] = select(one, old[(i + 1) % 3], select(two, old[(i + 2) % 3], old[i]));
+    // What the planes of a group of small triangles are made of.
+    struct Slopes {
+        M one, two;           // corner 1, or else corner 2, comes first
+        T weight[2];          // 1/w of the other two, in units of the first's
+        T right[2], down[2];  // their screen barycentrics, a pixel right, a pixel down
+
+        // Turns the values of the corners so that the first comes first.
+        template <class V>
+        void turn(V (&v)[3]) const {
+            const V old[3] = {v[0], v[1], v[2]};
+            for (int i = 0; i < 3; ++i) {
+                v[i] = select(one, old[(i + 1) % 3], select(two, old[(i + 2) % 3], old[i]));
+            }
         }
-    }
+        T dx(const T& rise1, const T& rise2) const { return right[0] * rise1 + right[1] * rise2; }
+        T dy(const T& rise1, const T& rise2) const { return down[0] * rise1 + down[1] * rise2; }
+    };
+
+    // By corner, then lane; a row of four may stick out.
+    using GroupVaryings = std::array<float, 3 * N * max_varyings + 4>;
 
     // Sets up the small triangles of a group; bit i says that it did lane i.
     std::uint32_t set_up_small(std::span<const std::int32_t> owners, const Shader& shader,
                                float* planes) {
-        Corners c = corners(owners);
-        I vertex[3];
+        const Corners c = corners(owners);
+        // Long before they are read, or the processor would wait until they are written.
+        GroupVaryings varyings;
+        shader.vertex(shader.shader, *frame_.mesh, c.vertex.data(), 3 * N, varyings.data());
         I x[3];
         I y[3];
         T s[3];
         for (std::size_t i = 0; i < 3; ++i) {
             const LaneVertices<N> v = load_vertices<N>(*frame_.vertices, &c.vertex[i * N]);
-            vertex[i] = load<I>(reinterpret_cast<const std::int32_t*>(&c.vertex[i * N]));
             x[i] = v.x;
             y[i] = v.y;
             s[i] = v.inverse_w;
         }
         // The farthest first: there S is smallest.
-        const M one = (s[1] < s[0]) & (s[1] <= s[2]);
-        const M two = (s[2] < s[0]) & (s[2] < s[1]);
-        turn(one, two, vertex);
-        turn(one, two, x);
-        turn(one, two, y);
-        turn(one, two, s);
-        for (std::size_t i = 0; i < 3; ++i) {
-            store(reinterpret_cast<std::int32_t*>(&c.vertex[i * N]), vertex[i]);
-        }
+        Slopes slopes;
+        slopes.one = (s[1] < s[0]) & (s[1] <= s[2]);
+        slopes.two = (s[2] < s[0]) & (s[2] < s[1]);
+        slopes.turn(x);
+        slopes.turn(y);
+        slopes.turn(s);
         const I width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
         const I height = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
         const M small = (width < I(small_extent)) & (height < I(small_extent));
@@ -158,74 +143,90 @@ class PlaneSetup {
         const I dx2 = select(small, x[2] - x[0], I(0));
         const I dy2 = select(small, y[2] - y[0], I(0));
         const T scale = T(static_cast<float>(subpixel_one)) / to_float(dx1 * dy2 - dx2 * dy1);
-        // Screen barycentrics of corners 1 and 2, a pixel right and a pixel down.
-        const T right[2] = {to_float(dy2) * scale, -to_float(dy1) * scale};
-        const T down[2] = {-to_float(dx2) * scale, to_float(dx1) * scale};
+        slopes.right[0] = to_float(dy2) * scale;
+        slopes.right[1] = -to_float(dy1) * scale;
+        slopes.down[0] = -to_float(dx2) * scale;
+        slopes.down[1] = to_float(dx1) * scale;
+        const T unit = T(1.0F) / s[0];
+        slopes.weight[0] = s[1] * unit;
+        slopes.weight[1] = s[2] * unit;
+
         const T to_pixel(1.0F / static_cast<float>(subpixel_one));
         store(planes, to_float(x[0] - I(tile_.x * subpixel_one)) * to_pixel);
         store(planes + N, to_float(y[0] - I(tile_.y * subpixel_one)) * to_pixel);
-        store(planes + 2 * N, s[0]);
-        store(planes + 3 * N, right[0] * (s[1] - s[0]) + right[1] * (s[2] - s[0]));
-        store(planes + 4 * N, down[0] * (s[1] - s[0]) + down[1] * (s[2] - s[0]));
-
-        set_up_varyings(c, shader, s, right, down, planes);
+        const T rise[2] = {(s[1] - s[0]) * unit, (s[2] - s[0]) * unit};
+        store(planes + 2 * N, slopes.dx(rise[0], rise[1]));
+        store(planes + 3 * N, slopes.dy(rise[0], rise[1]));
+        store_varyings(varyings, static_cast<std::size_t>(shader.varyings), slopes, planes + 4 * N);
         return done;
     }
 
-    void set_up_varyings(const Corners& c, const Shader& shader, const T (&s)[3],
-                         const T (&right)[2], const T (&down)[2], float* planes) const {
-        const auto count = static_cast<std::size_t>(shader.varyings);
-        std::array<float, 3 * N * max_varyings + 4> varyings;  // the last row of four may stick out
-        shader.vertex(shader.shader, *frame_.mesh, c.vertex.data(), 3 * N, varyings.data());
+    static void store_varyings(const GroupVaryings& varyings, std::size_t count,
+                               const Slopes& slopes, float* planes) {
         for (std::size_t k = 0; k < count; k += 4) {
-            Rows<T> corner[3];
+            Rows<T> four[3];
             for (std::size_t i = 0; i < 3; ++i) {
                 const float* rows[N];
                 for (std::size_t lane = 0; lane < N; ++lane) {
                     rows[lane] = &varyings[(i * N + lane) * count + k];
                 }
-                corner[i] = load_rows<T>(rows);
+                four[i] = load_rows<T>(rows);
             }
             for (std::size_t j = 0; j < std::min<std::size_t>(4, count - k); ++j) {
-                const T first = corner[0][j];
-                const T d1 = (corner[1][j] - first) * s[1];
-                const T d2 = (corner[2][j] - first) * s[2];
-                float* out = planes + (5 + k + j) * N;
-                store(out, first);
-                store(out + count * N, T(0.0F));
-                store(out + 2 * count * N, d1 * right[0] + d2 * right[1]);
-                store(out + 3 * count * N, d1 * down[0] + d2 * down[1]);
+                T corner[3] = {four[0][j], four[1][j], four[2][j]};
+                slopes.turn(corner);
+                const T rise1 = (corner[1] - corner[0]) * slopes.weight[0];
+                const T rise2 = (corner[2] - corner[0]) * slopes.weight[1];
+                float* out = planes + (k + j) * N;
+                store(out, corner[0]);
+                store(out + count * N, slopes.dx(rise1, rise2));
+                store(out + 2 * count * N, slopes.dy(rise1, rise2));
+                store(out + 3 * count * N, T(0.0F));
             }
         }
     }
 
-    // A triangle of any size: anchored at the tile's corner, in double.
+    // A triangle of any size, in double: anchored at the corner of the tile that is nearest the
+    // eye, where S is positive since it is so at the fragments.
     void set_up_any(const ScreenTriangle& t, const Shader& shader, float* planes) const {
         const Edges edges = edges_of(t.v);
         const double scale = 1.0 / static_cast<double>(std::abs(edges.double_area));
-        // Screen barycentrics over w: at the tile's corner, a pixel right, a pixel down.
-        float p[3][3];
+        // Screen barycentrics over w, a pixel right, a pixel down.
+        glm::dvec3 right;
+        glm::dvec3 down;
         for (int i = 0; i < 3; ++i) {
             const Edge& e = edges.edge[static_cast<std::size_t>(i)];
-            const double weight = scale * static_cast<double>(t.v[i].inverse_w);
-            const std::int64_t corner =
-                e.at(tile_.x * subpixel_one, tile_.y * subpixel_one) + (e.inclusive ? 0 : 1);
-            p[0][i] = static_cast<float>(static_cast<double>(corner) * weight);
-            p[1][i] = static_cast<float>(static_cast<double>(e.a * subpixel_one) * weight);
-            p[2][i] = static_cast<float>(static_cast<double>(e.b * subpixel_one) * weight);
+            const double weight = scale * subpixel_one * static_cast<double>(t.v[i].inverse_w);
+            right[i] = static_cast<double>(e.a) * weight;
+            down[i] = static_cast<double>(e.b) * weight;
         }
-        const CornerVaryings c = corner_varyings(shader, *frame_.mesh, t);
-        const int count = shader.varyings;
-        planes[0] = 0.0F;
-        planes[N] = 0.0F;
+        const double sx = right.x + right.y + right.z;
+        const double sy = down.x + down.y + down.z;
+        const int x = sx > 0 ? tile_size : 0;
+        const int y = sy > 0 ? tile_size : 0;
+        glm::dvec3 at;
         for (int i = 0; i < 3; ++i) {
-            planes[(2 + i) * N] = p[i][0] + p[i][1] + p[i][2];
-            for (int k = 0; k < count; ++k) {
-                const auto at = static_cast<std::size_t>(k);
-                planes[(5 + k) * N] = c[0][at];
-                planes[(5 + (i + 1) * count + k) * N] =
-                    (c[1][at] - c[0][at]) * p[i][1] + (c[2][at] - c[0][at]) * p[i][2];
-            }
+            const Edge& e = edges.edge[static_cast<std::size_t>(i)];
+            const std::int64_t value =
+                e.at((tile_.x + x) * subpixel_one, (tile_.y + y) * subpixel_one);
+            at[i] = static_cast<double>(value + (e.inclusive ? 0 : 1)) * scale *
+                    static_cast<double>(t.v[i].inverse_w);
+        }
+        const double unit = 1.0 / (at.x + at.y + at.z);
+        planes[0] = static_cast<float>(x);
+        planes[N] = static_cast<float>(y);
+        planes[2 * N] = static_cast<float>(sx * unit);
+        planes[3 * N] = static_cast<float>(sy * unit);
+        const CornerVaryings c = corner_varyings(shader, *frame_.mesh, t);
+        const auto count = static_cast<std::size_t>(shader.varyings);
+        for (std::size_t k = 0; k < count; ++k) {
+            float* out = planes + (4 + k) * N;
+            const double d1 = (static_cast<double>(c[1][k]) - static_cast<double>(c[0][k])) * unit;
+            const double d2 = (static_cast<double>(c[2][k]) - static_cast<double>(c[0][k])) * unit;
+            out[0] = c[0][k];
+            out[count * N] = static_cast<float>(d1 * right.y + d2 * right.z);
+            out[2 * count * N] = static_cast<float>(d1 * down.y + d2 * down.z);
+            out[3 * count * N] = static_cast<float>(d1 * at.y + d2 * at.z);
         }
     }
 

@@ -5,17 +5,19 @@
 
 namespace glint {
 
-// With S(x, y) = 1/w, varying k at x, y pixels from the anchor is
-//     first[k] + (d0[k] + dx[k] x + dy[k] y) / S(x, y)
+// With S(x, y) = 1/w in units of its value at the anchor, varying k at x, y pixels from the anchor
+// is
+//     first[k] + (d0[k] + dx[k] x + dy[k] y) / S(x, y),   S(x, y) = 1 + sx x + sy y
 // where first[k] is its value at a corner of the triangle. Anchored near what is shaded, and
-// relative to a corner, so that nothing large cancels.
+// relative to a corner, so that nothing large cancels. Where all triangles of a tile are anchored
+// at that corner itself, d0 is 0 and not asked for.
 //
 // The planes of N triangles, a group, are set up together and lie side by side: value j of a
 // triangle is N floats from its value j + 1. A group begins at a multiple of N. The values are
-//     the anchor's x and y, pixels from the tile's corner; S at the anchor, its dx and dy;
-//     all first, all d0, all dx, all dy
+//     the anchor's x and y, pixels from the tile's corner; sx, sy
+//     all first, all dx, all dy, all d0
 inline std::size_t plane_values(int varyings) {
-    return 5 + 4 * static_cast<std::size_t>(varyings);
+    return 4 + 4 * static_cast<std::size_t>(varyings);
 }
 
 // The planes of N fragments of one triangle.

@@ -69,12 +69,20 @@ class TileShading {
         }
         const std::int32_t* triangle = &tile_.fragment_triangle[begin];
         const I triangles = load_padded<I>(triangle, n);
-        if (all(triangles == I(triangle[0]))) {
-            const TrianglePlanes<N> planes(tile_, plane_start(triangle[0]));
-            interpolate_by(planes, x, y, varyings,
-                           [&](int k, const T& value) { store(out + k * batch, value); });
-        } else {
-            interpolate_across(triangle, triangles, varyings, x, y, out);
+        const std::int32_t last = triangle[n - 1];
+        const M of_first = triangles == I(triangle[0]);
+        if (!all(of_first | (triangles == I(last)))) {
+            interpolate_across(triangle, n, triangles, varyings, x, y, out);
+            return;
+        }
+        const TrianglePlanes<N> planes(tile_, plane_start(triangle[0]));
+        interpolate_by(planes, x, y, varyings,
+                       [&](int k, const T& value) { store(out + k * batch, value); });
+        if (last != triangle[0]) {
+            const TrianglePlanes<N> others(tile_, plane_start(last));
+            interpolate_by(others, x, y, varyings, [&](int k, const T& value) {
+                store(out + k * batch, select(of_first, load<T>(out + k * batch), value));
+            });
         }
     }
 
@@ -83,8 +91,8 @@ class TileShading {
     }
 
     // Of several triangles: one round for every two groups.
-    void interpolate_across(const std::int32_t* triangle, I triangles, int varyings, T x, T y,
-                            float* out) const {
+    void interpolate_across(const std::int32_t* triangle, std::size_t n, I triangles, int varyings,
+                            T x, T y, float* out) const {
         const I starts = gather(tile_.plane_start.data(), triangles);
         const I place = starts & I(N - 1);
         const I groups = starts - place;
@@ -95,7 +103,7 @@ class TileShading {
             const std::int32_t first = group_of(left);
             const M in_first = groups == I(first);
             left &= ~lane_bits(in_first);
-            const std::int32_t second = left == 0 ? first : group_of(left);
+            const std::int32_t second = group_of(left | 1U << (n - 1));
             const M in_second = groups == I(second);
             left &= ~lane_bits(in_second);
             const GroupPlanes<N> planes(tile_, first, second,
@@ -109,15 +117,16 @@ class TileShading {
 
     // Calls put(k, varying k) for each. Rounds the same way whatever the planes.
     template <class Planes, class Put>
-    static void interpolate_by(const Planes& planes, T x, T y, int varyings, Put&& put) {
+    void interpolate_by(const Planes& planes, T x, T y, int varyings, Put&& put) const {
+        const bool at_corners = tile_.anchored_at_corners;
         x -= planes.value(0);
         y -= planes.value(1);
-        const T w = reciprocal(fma(planes.value(4), y, fma(planes.value(3), x, planes.value(2))));
+        const T w = reciprocal(fma(planes.value(3), y, fma(planes.value(2), x, T(1.0F))));
         for (int k = 0; k < varyings; ++k) {
-            const T dx = planes.value(5 + 2 * varyings + k);
-            const T dy = planes.value(5 + 3 * varyings + k);
-            const T d = fma(dy, y, fma(dx, x, planes.value(5 + varyings + k)));
-            put(k, fma(d, w, planes.value(5 + k)));
+            const T dx = planes.value(4 + varyings + k);
+            const T dy = planes.value(4 + 2 * varyings + k);
+            const T right = at_corners ? dx * x : fma(dx, x, planes.value(4 + 3 * varyings + k));
+            put(k, fma(fma(dy, y, right), w, planes.value(4 + k)));
         }
     }
 

@@ -7,6 +7,7 @@
 #include "framework/raster/bins.hpp"
 #include "framework/raster/pipeline.hpp"
 #include "framework/raster/shader.hpp"
+#include "framework/image/image.hpp"
 #include "framework/image/srgb.hpp"
 
 #include <array>
@@ -56,36 +57,40 @@ struct TileTriangle {
     TriangleRef ref;
 };
 
+// Begins at a cache line, so that registers as wide as one are read and written in one piece.
+template <class V>
+using LineVector = std::vector<V, LineAllocator<V>>;
+
 // The working memory of one thread; it keeps its capacity from tile to tile and frame to frame.
 struct TileBuffer {
     int x = 0, y = 0;  // the tile's first pixel
 
     // By sample, then pixel: depth (0: nothing there) and the place in triangles of who won it;
     // stale where depth is 0.
-    std::vector<float> depth;
-    std::vector<std::int32_t> owner;
+    LineVector<float> depth;
+    LineVector<std::int32_t> owner;
     std::vector<TileTriangle> triangles;
 
     // Fragments: place of the pixel, place in triangles, offset from the pixel's centre in pixels,
     // share of the pixel's samples. Offsets and shares are left out with one sample a pixel.
     std::size_t fragments = 0;
-    std::vector<std::int32_t> fragment_pixel, fragment_triangle;
-    std::vector<float> fragment_x, fragment_y, fragment_share;
+    LineVector<std::int32_t> fragment_pixel, fragment_triangle;
+    LineVector<float> fragment_x, fragment_y, fragment_share;
 
     // The triangles that own fragments; by triangle, where its planes begin. See tile_planes.hpp.
-    std::vector<std::int32_t> owners, plane_start;
-    std::vector<float> planes;
+    LineVector<std::int32_t> owners, plane_start;
+    LineVector<float> planes;
     bool anchored_at_corners = true;  // all planes of the tile
 
     // The fragments are sorted by shader: where each shader's end; and scratch for sorting and
     // for runs of fragments.
-    std::vector<std::uint32_t> shader_end, order;
-    std::vector<std::int32_t> sorted_ints;
-    std::vector<float> sorted_floats;
+    LineVector<std::uint32_t> shader_end, order;
+    LineVector<std::int32_t> sorted_ints;
+    LineVector<float> sorted_floats;
 
-    std::vector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
-    std::array<std::vector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
-    std::vector<std::int32_t> codes;           // sRGB by pixel, as Rgba8 lies in memory
+    LineVector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
+    std::array<LineVector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
+    LineVector<std::int32_t> codes;           // sRGB by pixel, as Rgba8 lies in memory
 
     std::int64_t fragments_shaded = 0, tiles_empty = 0;
     double visibility_seconds = 0, shading_seconds = 0, output_seconds = 0;

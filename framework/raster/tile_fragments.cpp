@@ -120,7 +120,7 @@ class OwnerList {
 
     void list() {
         const std::size_t triangles = tile_.triangles.size();
-        std::vector<std::int32_t>& owns = tile_.plane_start;
+        LineVector<std::int32_t>& owns = tile_.plane_start;
         owns.assign(triangles + N, -1);
         tile_.sorted_ints.resize(tile_.fragment_triangle.size());
         std::int32_t* run = tile_.sorted_ints.data();
@@ -157,7 +157,7 @@ class OwnerList {
 };
 
 template <class V>
-void reorder(const TileBuffer& tile, std::vector<V>& values, std::vector<V>& sorted) {
+void reorder(const TileBuffer& tile, LineVector<V>& values, LineVector<V>& sorted) {
     sorted.resize(values.size());
     for (std::size_t i = 0; i < tile.fragments; ++i) {
         sorted[i] = values[tile.order[i]];

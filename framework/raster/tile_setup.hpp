@@ -12,7 +12,7 @@
 namespace glint {
 
 template <int N>
-struct TileSetup {
+struct alignas(4 * N) TileSetup {
     using Ints = std::array<std::int32_t, N>;
     using Floats = std::array<float, N>;
     std::array<Ints, 3> whole, rest;  // E at the centre of the tile's first pixel: 256 whole + rest
@@ -24,7 +24,7 @@ struct TileSetup {
 // The same seen from one sample of every pixel, beginning at the first block that the triangle may
 // cover.
 template <int N>
-struct SampleSetup {
+struct alignas(4 * N) SampleSetup {
     std::array<std::array<std::int32_t, N>, 3> e;  // floor(E / 256) at the first pixel's sample
     std::array<float, N> x, y;                     // that sample, pixels from the depth's anchor
 };

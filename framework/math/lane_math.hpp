@@ -129,6 +129,15 @@ inline double fma(double a, double b, double c) {
     return std::fma(a, b, c);
 }
 
+// a b - c d, off by less than 2 units in its last place even where it cancels.
+template <int N>
+Float<N> difference_of_products(Float<N> a, Float<N> b, Float<N> c, Float<N> d) {
+    return simd::difference_of_products(a.v, b.v, c.v, d.v);
+}
+inline float difference_of_products(float a, float b, float c, float d) {
+    return simd::difference_of_products(a, b, c, d);
+}
+
 // a 2^k, rounded once, for 1/2 <= a < 2 and whole k from -151 to 128.
 template <int N>
 Float<N> scale(Float<N> a, Float<N> k) {

@@ -4,6 +4,7 @@
 
 #include "framework/math/simd.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace glint::simd {
@@ -53,6 +54,33 @@ F inverse_sqrt(F a) {
 template <class F>
 F reciprocal(F a) {
     return quotient(F(1.0F), a);
+}
+#endif
+
+// a b - c d, off by less than 2 units in its last place even where it cancels (Kahan; Jeannerod,
+// Louvet and Muller 2013).
+#if defined(__FMA__) || XSIMD_WITH_NEON64
+template <class F>
+F difference_of_products(F a, F b, F c, F d) {
+    const F cd = c * d;
+    return fma(a, b, -cd) + fma(-c, d, cd);  // the second: what cd lost by rounding
+}
+#else
+inline float difference_of_products(float a, float b, float c, float d) {
+    const auto product = [](float x, float y) { return static_cast<double>(x) * y; };
+    return static_cast<float>(product(a, b) - product(c, d));
+}
+template <class F>
+F difference_of_products(F a, F b, F c, F d) {
+    alignas(64) float r[4][F::size];
+    a.store_aligned(r[0]);
+    b.store_aligned(r[1]);
+    c.store_aligned(r[2]);
+    d.store_aligned(r[3]);
+    for (std::size_t i = 0; i < F::size; ++i) {
+        r[0][i] = difference_of_products(r[0][i], r[1][i], r[2][i], r[3][i]);
+    }
+    return F::load_aligned(r[0]);
 }
 #endif
 

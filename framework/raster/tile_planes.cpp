@@ -89,9 +89,11 @@ class PlaneSetup {
 
     // What the planes of a group of small triangles are made of.
     struct Slopes {
-        M one, two;           // corner 1, or else corner 2, comes first
-        T weight[2];          // 1/w of the other two, in units of the first's
-        T right[2], down[2];  // their screen barycentrics, a pixel right, a pixel down
+        M one, two;       // corner 1, or else corner 2, comes first
+        M steep, second;  // 1/w more than doubles; to the second of the others
+        T weight[2];      // 1/w of the other two, in units of the first's
+        T x[2], y[2];     // from the first to them, in 1/256 pixel
+        T scale;          // 256 over the doubled area
 
         // Turns the values of the corners so that the first comes first.
         template <class V>
@@ -101,8 +103,14 @@ class PlaneSetup {
                 v[i] = select(one, old[(i + 1) % 3], select(two, old[(i + 2) % 3], old[i]));
             }
         }
-        T dx(const T& rise1, const T& rise2) const { return right[0] * rise1 + right[1] * rise2; }
-        T dy(const T& rise1, const T& rise2) const { return down[0] * rise1 + down[1] * rise2; }
+        // The slopes, a pixel right and a pixel down, of what rises so from the first to the
+        // others. In a sliver the products nearly cancel.
+        T dx(const T& rise1, const T& rise2) const {
+            return difference_of_products(y[1], rise1, y[0], rise2) * scale;
+        }
+        T dy(const T& rise1, const T& rise2) const {
+            return difference_of_products(x[0], rise2, x[1], rise1) * scale;
+        }
     };
 
     // By corner, then lane; a row of four may stick out.
@@ -124,13 +132,15 @@ class PlaneSetup {
             y[i] = v.y;
             s[i] = v.inverse_w;
         }
-        // The farthest first: there S is smallest.
+        // Anchored at the farthest: there S is smallest.
         Slopes slopes;
         slopes.one = (s[1] < s[0]) & (s[1] <= s[2]);
         slopes.two = (s[2] < s[0]) & (s[2] < s[1]);
         slopes.turn(x);
         slopes.turn(y);
         slopes.turn(s);
+        slopes.second = s[2] > s[1];
+        slopes.steep = max(s[1], s[2]) > T(2.0F) * s[0];
         const I width = max(max(x[0], x[1]), x[2]) - min(min(x[0], x[1]), x[2]);
         const I height = max(max(y[0], y[1]), y[2]) - min(min(y[0], y[1]), y[2]);
         const M small = (width < I(small_extent)) & (height < I(small_extent));
@@ -138,15 +148,18 @@ class PlaneSetup {
         if (done == 0) {
             return 0;
         }
+        if ((lane_bits(slopes.steep) & done) != 0) {
+            tile_.anchored_at_corners = false;
+        }
         const I dx1 = select(small, x[1] - x[0], I(0));
         const I dy1 = select(small, y[1] - y[0], I(0));
         const I dx2 = select(small, x[2] - x[0], I(0));
         const I dy2 = select(small, y[2] - y[0], I(0));
-        const T scale = T(static_cast<float>(subpixel_one)) / to_float(dx1 * dy2 - dx2 * dy1);
-        slopes.right[0] = to_float(dy2) * scale;
-        slopes.right[1] = -to_float(dy1) * scale;
-        slopes.down[0] = -to_float(dx2) * scale;
-        slopes.down[1] = to_float(dx1) * scale;
+        slopes.x[0] = to_float(dx1);
+        slopes.x[1] = to_float(dx2);
+        slopes.y[0] = to_float(dy1);
+        slopes.y[1] = to_float(dy2);
+        slopes.scale = T(static_cast<float>(subpixel_one)) / to_float(dx1 * dy2 - dx2 * dy1);
         const T unit = T(1.0F) / s[0];
         slopes.weight[0] = s[1] * unit;
         slopes.weight[1] = s[2] * unit;
@@ -175,59 +188,74 @@ class PlaneSetup {
             for (std::size_t j = 0; j < std::min<std::size_t>(4, count - k); ++j) {
                 T corner[3] = {four[0][j], four[1][j], four[2][j]};
                 slopes.turn(corner);
-                const T rise1 = (corner[1] - corner[0]) * slopes.weight[0];
-                const T rise2 = (corner[2] - corner[0]) * slopes.weight[1];
+                const T nearest = select(slopes.second, corner[2], corner[1]);
+                const T first = select(slopes.steep, nearest, corner[0]);
+                const T d0 = corner[0] - first;
+                const T rise1 = (corner[1] - first) * slopes.weight[0] - d0;
+                const T rise2 = (corner[2] - first) * slopes.weight[1] - d0;
                 float* out = planes + (k + j) * N;
-                store(out, corner[0]);
+                store(out, first);
                 store(out + count * N, slopes.dx(rise1, rise2));
                 store(out + 2 * count * N, slopes.dy(rise1, rise2));
-                store(out + 3 * count * N, T(0.0F));
+                store(out + 3 * count * N, d0);
             }
         }
     }
 
-    // A triangle of any size, in double: anchored at the corner of the tile that is nearest the
-    // eye, where S is positive since it is so at the fragments.
+    // A triangle of any size, in double, anchored at a corner of the tile: the farthest, where S is
+    // smallest, or the nearest where the farthest lies beyond the triangle's horizon.
     void set_up_any(const ScreenTriangle& t, const Shader& shader, float* planes) const {
         const Edges edges = edges_of(t.v);
-        const double scale = 1.0 / static_cast<double>(std::abs(edges.double_area));
-        // Screen barycentrics over w, a pixel right, a pixel down.
-        glm::dvec3 right;
-        glm::dvec3 down;
-        for (int i = 0; i < 3; ++i) {
-            const Edge& e = edges.edge[static_cast<std::size_t>(i)];
-            const double weight = scale * subpixel_one * static_cast<double>(t.v[i].inverse_w);
-            right[i] = static_cast<double>(e.a) * weight;
-            down[i] = static_cast<double>(e.b) * weight;
+        // Screen barycentrics over w: e of the edges, in pixels.
+        const auto over_w = [&](auto&& e) {
+            const double scale = 1.0 / static_cast<double>(std::abs(edges.double_area));
+            glm::dvec3 b;
+            for (int i = 0; i < 3; ++i) {
+                b[i] = static_cast<double>(e(edges.edge[static_cast<std::size_t>(i)])) * scale *
+                       static_cast<double>(t.v[i].inverse_w);
+            }
+            return b;
+        };
+        const auto over_w_at = [&](int x, int y) {
+            return over_w([&](const Edge& e) {
+                return e.at((tile_.x + x) * subpixel_one, (tile_.y + y) * subpixel_one) +
+                       (e.inclusive ? 0 : 1);
+            });
+        };
+        const auto sum = [](const glm::dvec3& v) { return v.x + v.y + v.z; };
+        const glm::dvec3 right = over_w([](const Edge& e) { return e.a * subpixel_one; });
+        const glm::dvec3 down = over_w([](const Edge& e) { return e.b * subpixel_one; });
+        int x = sum(right) > 0 ? 0 : tile_size;
+        int y = sum(down) > 0 ? 0 : tile_size;
+        glm::dvec3 at = over_w_at(x, y);
+        if (!(sum(at) > 0)) {
+            x = tile_size - x;
+            y = tile_size - y;
+            at = over_w_at(x, y);
         }
-        const double sx = right.x + right.y + right.z;
-        const double sy = down.x + down.y + down.z;
-        const int x = sx > 0 ? tile_size : 0;
-        const int y = sy > 0 ? tile_size : 0;
-        glm::dvec3 at;
-        for (int i = 0; i < 3; ++i) {
-            const Edge& e = edges.edge[static_cast<std::size_t>(i)];
-            const std::int64_t value =
-                e.at((tile_.x + x) * subpixel_one, (tile_.y + y) * subpixel_one);
-            at[i] = static_cast<double>(value + (e.inclusive ? 0 : 1)) * scale *
-                    static_cast<double>(t.v[i].inverse_w);
-        }
-        const double unit = 1.0 / (at.x + at.y + at.z);
+        const double unit = 1.0 / sum(at);
         planes[0] = static_cast<float>(x);
         planes[N] = static_cast<float>(y);
-        planes[2 * N] = static_cast<float>(sx * unit);
-        planes[3 * N] = static_cast<float>(sy * unit);
+        planes[2 * N] = static_cast<float>(sum(right) * unit);
+        planes[3 * N] = static_cast<float>(sum(down) * unit);
+
         const CornerVaryings c = corner_varyings(shader, *frame_.mesh, t);
+        const std::size_t nearest = nearest_corner(t);
         const auto count = static_cast<std::size_t>(shader.varyings);
         for (std::size_t k = 0; k < count; ++k) {
+            const auto first = static_cast<double>(c[nearest][k]);
+            const glm::dvec3 rise = (glm::dvec3(c[0][k], c[1][k], c[2][k]) - first) * unit;
             float* out = planes + (4 + k) * N;
-            const double d1 = (static_cast<double>(c[1][k]) - static_cast<double>(c[0][k])) * unit;
-            const double d2 = (static_cast<double>(c[2][k]) - static_cast<double>(c[0][k])) * unit;
-            out[0] = c[0][k];
-            out[count * N] = static_cast<float>(d1 * right.y + d2 * right.z);
-            out[2 * count * N] = static_cast<float>(d1 * down.y + d2 * down.z);
-            out[3 * count * N] = static_cast<float>(d1 * at.y + d2 * at.z);
+            out[0] = c[nearest][k];
+            out[count * N] = static_cast<float>(dot(rise, right));
+            out[2 * count * N] = static_cast<float>(dot(rise, down));
+            out[3 * count * N] = static_cast<float>(dot(rise, at));
         }
+    }
+
+    static std::size_t nearest_corner(const ScreenTriangle& t) {
+        const float w[] = {t.v[0].inverse_w, t.v[1].inverse_w, t.v[2].inverse_w};
+        return static_cast<std::size_t>(std::max_element(w, w + 3) - w);
     }
 
     const Frame& frame_;

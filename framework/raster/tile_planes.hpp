@@ -8,9 +8,10 @@ namespace glint {
 // With S(x, y) = 1/w in units of its value at the anchor, varying k at x, y pixels from the anchor
 // is
 //     first[k] + (d0[k] + dx[k] x + dy[k] y) / S(x, y),   S(x, y) = 1 + sx x + sy y
-// where first[k] is its value at a corner of the triangle. Anchored near what is shaded, and
-// relative to a corner, so that nothing large cancels. Where all triangles of a tile are anchored
-// at that corner itself, d0 is 0 and not asked for.
+// where first[k] is its value at a corner of the triangle. The anchor is the farthest corner, or
+// of large triangles the farthest of the tile, where S is smallest, so that S does not cancel;
+// where 1/w more than doubles, first is of the nearest, so that near the eye nothing large cancels.
+// Where neither holds for any triangle of a tile, all d0 are 0 and not asked for.
 //
 // The planes of N triangles, a group, are set up together and lie side by side: value j of a
 // triangle is N floats from its value j + 1. A group begins at a multiple of N. The values are

@@ -25,11 +25,11 @@ constexpr int height = 64;
 const Camera camera{
     .eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_degrees = 45, .near = 0.1F, .far = 100};
 
-// A triangle by its window positions, each at its own distance, near the window's right end. Its
-// uvs are 1, 0 and 0, 1 and 0, 0: barycentric coordinates.
-Mesh any_triangle(Random& random, const Rays& rays) {
+// A triangle by its window positions, each at its own distance between 1 and farthest, near the
+// window's right end. Its uvs are 1, 0 and 0, 1 and 0, 0: barycentric coordinates.
+Mesh any_triangle(Random& random, const Rays& rays, double flattest, double farthest) {
     const double size = std::pow(10.0, random.real(0.3, 3.5));
-    const double flatness = std::pow(10.0, random.real(-2.5, 0));
+    const double flatness = std::pow(10.0, random.real(flattest, 0));
     const glm::dvec2 centre(random.real(700, width), random.real(0, height));
     const double turn = random.real(0, 2 * std::numbers::pi);
     const glm::dvec2 along(std::cos(turn), std::sin(turn));
@@ -38,7 +38,7 @@ Mesh any_triangle(Random& random, const Rays& rays) {
     Mesh mesh;
     for (const glm::dvec2& c : corners) {
         const glm::dvec2 p = centre + size * (c.x * along + c.y * across);
-        mesh.positions.emplace_back(rays.direction(p.x, p.y) * random.real(1, 4));
+        mesh.positions.emplace_back(rays.direction(p.x, p.y) * random.real(1, farthest));
     }
     mesh.uvs = {{1, 0}, {0, 1}, {0, 0}};
     mesh.triangles = {{0, 1, 2}};
@@ -139,7 +139,7 @@ std::array<Errors, classes> measured() {
     std::array<Errors, classes> by_height{};
     for (std::uint64_t seed = 1; seed <= 700; ++seed) {
         Random random(seed);
-        const Mesh mesh = any_triangle(random, rays);
+        const Mesh mesh = any_triangle(random, rays, -2.5, 4);
         const auto triangles = assemble(mesh, view).triangles;
         if (triangles.size() != 1 || triangles[0].clipped ||
             edges_of(triangles[0].v).double_area == 0) {
@@ -164,6 +164,77 @@ TEST_CASE("attributes are accurate whatever the triangle's shape and place") {
         CHECK((below > 100 || e.naive > 5 * e.tiles));
         below *= 10;
     }
+}
+
+// The largest error of what tiles show, by error_at(shown, barycentrics), over random triangles of
+// at least this flatness (10^flattest) and corners up to `farthest` times as far as the nearest.
+template <class S, class Prepare, class ErrorAt>
+double largest_error(double flattest, double farthest, const S& shader, Prepare&& prepare,
+                     ErrorAt&& error_at) {
+    const View view{clip_from_world(camera, static_cast<float>(width) / height), width, height};
+    const Rays rays(camera, width, height);
+    double worst = 0;
+    int pixels = 0;
+    for (std::uint64_t seed = 1; seed <= 700; ++seed) {
+        Random random(seed);
+        Mesh mesh = any_triangle(random, rays, flattest, farthest);
+        const auto triangles = assemble(mesh, view).triangles;
+        if (triangles.size() != 1 || triangles[0].clipped) {
+            continue;
+        }
+        const ScreenTriangle& t = triangles[0];
+        prepare(t, mesh);
+        const Drawn drawn = draw(mesh, view, plug(shader), {});
+        const Edges edges = edges_of(t.v);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                if (drawn.triangle(x, y) != no_triangle) {
+                    const int half = subpixel_one / 2;
+                    const auto exact = barycentrics<double>(t, edges, x * subpixel_one + half,
+                                                            y * subpixel_one + half);
+                    worst = std::max(worst, error_at(drawn.linear(x, y), exact.space, mesh));
+                    ++pixels;
+                }
+            }
+        }
+    }
+    CHECK(pixels > 10000);
+    MESSAGE(pixels, " px: ", worst);
+    return worst;
+}
+
+// A smooth attribute, as that of a curved surface is, differs little between corners that lie side
+// by side: then it is not steep in slivers either, though its planes are differences of steep ones.
+TEST_CASE("what varies slowly is accurate in slivers") {
+    const double error = largest_error(
+        -4, 1, show_uv,
+        [](const ScreenTriangle& t, Mesh& mesh) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                mesh.uvs[i] = glm::vec2(t.v[i].x, t.v[i].y) / (256.0F * width);
+            }
+        },
+        [](const Rgb<float>& shown, const std::array<double, 3>& weight, const Mesh& mesh) {
+            glm::dvec2 uv(0);
+            for (std::size_t i = 0; i < 3; ++i) {
+                uv += weight[i] * glm::dvec2(mesh.uvs[i]);
+            }
+            return length(glm::dvec2(shown) - uv);
+        });
+    CHECK(error < 1e-6);
+}
+
+// The eye is at the origin: an error counts by how far away it is.
+TEST_CASE("positions near the eye are accurate on triangles that reach far") {
+    const double error = largest_error(
+        -0.5, 100, show_position, [](const ScreenTriangle&, const Mesh&) {},
+        [](const Rgb<float>& shown, const std::array<double, 3>& weight, const Mesh& mesh) {
+            glm::dvec3 position(0);
+            for (std::size_t i = 0; i < 3; ++i) {
+                position += weight[i] * glm::dvec3(mesh.positions[i]);
+            }
+            return length(glm::dvec3(shown) - position) / length(position);
+        });
+    CHECK(error < 1e-5);
 }
 
 }  // namespace

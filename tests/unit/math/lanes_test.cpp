@@ -300,6 +300,24 @@ TEST_CASE_TEMPLATE("inverse_sqrt and reciprocal are off by less than 2 ulp", F, 
     CHECK(worst < 0x1p-23);
 }
 
+TEST_CASE_TEMPLATE("difference_of_products is accurate where it cancels", F, float, Float4, Float8,
+                   Float16) {
+    double worst = 0;
+    for (int i = 1; i < 4000; ++i) {
+        const float a = 1.0F + static_cast<float>(i) * 0x1p-12F;
+        const float b = 3.0F - static_cast<float>(i) * 0x1.8p-14F;
+        const float c = a * (1.0F + static_cast<float>(i % 7) * 0x1p-22F);
+        const float d = b * (1.0F - static_cast<float>(i % 5) * 0x1p-22F);
+        const double exact = static_cast<double>(a) * static_cast<double>(b) -
+                             static_cast<double>(c) * static_cast<double>(d);
+        const float r = lane(difference_of_products(F(a), F(b), F(c), F(d)), lanes_of<F> - 1);
+        worst = std::max(
+            worst, std::abs(static_cast<double>(r) - exact) / std::max(std::abs(exact), 1e-30));
+        CHECK(same(r, difference_of_products(a, b, c, d)));
+    }
+    CHECK(worst < 0x1p-23);
+}
+
 TEST_CASE_TEMPLATE("rows become columns and rows again", F, float, Float4, Float8, Float16) {
     std::array<float, 4 * 16> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
          .parameters = thrift::forms,
          .panels = {{{"metals", 3}, {"dielectrics", 2}, {"power", 1}, {"highlights", 3}},
                     {{"metals", 1}, {"dielectrics", 0}, {"power", 1}, {"highlights", 3}},
-                    {{"metals", 0}, {"dielectrics", 0}, {"power", 1}, {"highlights", 2}}},
+                    {{"metals", 0}, {"dielectrics", 0}, {"power", 1}, {"highlights", 3}}},
          .stage = thrift::still_life,
          .shaders = shade_each_material(thrift::thrifty)});
 }

@@ -225,8 +225,8 @@ class PlaneSetup {
         const auto sum = [](const glm::dvec3& v) { return v.x + v.y + v.z; };
         const glm::dvec3 right = over_w([](const Edge& e) { return e.a * subpixel_one; });
         const glm::dvec3 down = over_w([](const Edge& e) { return e.b * subpixel_one; });
-        int x = sum(right) > 0 ? 0 : tile_size;
-        int y = sum(down) > 0 ? 0 : tile_size;
+        int x = sum(right) < 0 ? tile_size : 0;
+        int y = sum(down) < 0 ? tile_size : 0;
         glm::dvec3 at = over_w_at(x, y);
         if (!(sum(at) > 0)) {
             x = tile_size - x;

@@ -121,18 +121,16 @@ void TileRasterizer::sort_into_tiles(const Mesh& mesh, const View& view) {
 
 void TileRasterizer::draw_tile(const Frame& frame, std::size_t tile, TileBuffer& buffer) {
     const auto start = Clock::now();
-    const bool anything = find_visible(frame, tile, buffer);
-    const auto found = Clock::now();
-    if (anything) {
-        shade_tile(frame, buffer);
-    }
-    const auto shaded = Clock::now();
-    if (anything) {
-        write_tile(frame, buffer);
-    } else {
+    if (!find_visible(frame, tile, buffer)) {
         write_empty_tile(frame, buffer.x, buffer.y);
         ++buffer.tiles_empty;
+        buffer.output_seconds += seconds_since(start);
+        return;
     }
+    const auto found = Clock::now();
+    shade_tile(frame, buffer);
+    const auto shaded = Clock::now();
+    write_tile(frame, buffer);
     buffer.visibility_seconds += std::chrono::duration<double>(found - start).count();
     buffer.shading_seconds += std::chrono::duration<double>(shaded - found).count();
     buffer.output_seconds += seconds_since(shaded);

@@ -40,13 +40,14 @@ struct WhereItShows {
     EnginePhong phong;
     float highlight_from;
 
-    // Lanes stay together: one within reach takes all along.
+    // One lane within reach makes all compute it; the others leave it out nonetheless, as alone.
     template <Real T>
     Rgb<T> operator()(const Incidence<T>& g) const {
         const Rgb<T> f0(phong.F0);
         Rgb<T> f = diffuse_by_f0(Rgb<T>(phong.Cd), f0);
-        if (any(v_dot_r(g) > T(highlight_from))) {
-            f += specular_by_angle(f0, T(phong.n), g);
+        const MaskOf<T> shows = v_dot_r(g) > T(highlight_from);
+        if (any(shows)) {
+            f = select(shows, f + specular_by_angle(f0, T(phong.n), g), f);
         }
         return f;
     }

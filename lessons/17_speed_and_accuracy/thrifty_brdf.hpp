@@ -38,7 +38,7 @@ T short_pow(const T& x, const T& n) {
         const T y = max(n * fma(f, log_f, to_float(above >> 23)), T(-126.0F));
         const T shift(0x1.8p23F);
         const T k = (y + shift) - shift;
-        return scale(polynomial(y - k, 0.999924557F, 0.693136734F, 0.242639479F, 0.0558382829F), k);
+        return scale(polynomial(y - k, 0.999928074F, 0.693260985F, 0.242611122F, 0.0551716691F), k);
     }
 }
 
@@ -58,12 +58,15 @@ struct ThriftyPhong {
     Rgb<T> operator()(const Incidence<T>& g) const {
         const Rgb<T> diffuse = diffuse_by_f0(Rgb<T>(surface.Cd), Rgb<T>(surface.F0));
         const T cosine = clamp(v_dot_r(g), T(1e-37F), T(1.0F));
-        if (!any(cosine > T(highlight_from))) {
+        const MaskOf<T> shows = cosine > T(highlight_from);
+        if (!any(shows)) {
             return diffuse;
         }
         const T n(surface.n);
         const T lobe = few_terms ? short_pow(cosine, n) : phong_lobe(g, n);
-        return diffuse + reflectance(fresnel, surface, g.NL) * (phong_normalisation(n) * lobe);
+        const Rgb<T> highlight =
+            reflectance(fresnel, surface, g.NL) * (phong_normalisation(n) * lobe);
+        return select(shows, diffuse + highlight, diffuse);
     }
     Rgb<float> ambient_albedo() const { return surface.Cd * (Rgb<float>(1.0F) - surface.F0); }
 };

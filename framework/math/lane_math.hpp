@@ -113,6 +113,17 @@ inline float reciprocal(float a) {
 inline double inverse_sqrt(double a) {
     return 1.0 / std::sqrt(a);
 }
+// 1/sqrt(a) of normal a > 0 to 14 bits or more: what a step of Newton's iteration starts from.
+template <int N>
+Float<N> inverse_sqrt_estimate(Float<N> a) {
+    return simd::inverse_sqrt_estimate(a.v);
+}
+inline float inverse_sqrt_estimate(float a) {
+    return simd::inverse_sqrt_estimate(a);
+}
+inline double inverse_sqrt_estimate(double a) {
+    return inverse_sqrt(a);
+}
 inline double reciprocal(double a) {
     return 1.0 / a;
 }

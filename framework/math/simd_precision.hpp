@@ -37,6 +37,10 @@ inline float quotient_estimate(float a) {
     return _mm_cvtss_f32(_mm_rcp14_ss(_mm_setzero_ps(), _mm_set_ss(a)));
 }
 template <class F>
+F inverse_sqrt_estimate(F a) {
+    return root_estimate(a);
+}
+template <class F>
 F inverse_sqrt(F a) {
     const F y = root_estimate(a);
     return fma(y * F(0.5F), fma(-a * y, y, F(1.0F)), y);
@@ -50,6 +54,10 @@ F reciprocal(F a) {
 template <class F>
 F inverse_sqrt(F a) {
     return quotient(F(1.0F), sqrt(a));
+}
+template <class F>
+F inverse_sqrt_estimate(F a) {
+    return inverse_sqrt(a);
 }
 template <class F>
 F reciprocal(F a) {

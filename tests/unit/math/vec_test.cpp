@@ -115,6 +115,24 @@ TEST_CASE_TEMPLATE("GLM's functions do to lanes what they do to scalars", F, Flo
                    some_vector<4, F>(3.3F));
 }
 
+TEST_CASE_TEMPLATE("normalize comes within 1e-7 of the direction, within 7e-8 of length 1", F,
+                   float, Float4, Float8, Float16) {
+    double worst_length = 0;
+    double worst_component = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const float t = static_cast<float>(i);
+        const glm::vec3 v(std::sin(t), std::sin(1.7F * t), std::sin(0.3F * t) + 0.1F);
+        const glm::dvec3 n(lane(normalize(Vec3<F>(v * std::exp2(0.001F * t))), lanes_of<F> - 1));
+        worst_length = std::max(worst_length, std::abs(glm::length(n) - 1.0));
+        const glm::dvec3 off = n - glm::normalize(glm::dvec3(v));
+        for (const double component : {off.x, off.y, off.z}) {
+            worst_component = std::max(worst_component, std::abs(component));
+        }
+    }
+    CHECK(worst_length < 7e-8);
+    CHECK(worst_component < 1e-7);
+}
+
 TEST_CASE_TEMPLATE("select, min and max go component by component", F, float, Float4, Float8,
                    Float16) {
     const auto a = some_vector<3, F>(2.0F);

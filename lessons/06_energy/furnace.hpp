@@ -26,7 +26,8 @@ class AlbedoCurve {
         T sum(0.0F);
         for (std::size_t i = 0; i < at_.size(); ++i) {
             const T steps_off = abs(cosine * T(float{steps}) - T(static_cast<float>(i)));
-            sum += at_[i] * max(T(1.0F) - steps_off, T(0.0F));
+            // fma: left to the compiler, it rounds another way in lanes than alone
+            sum = fma(max(T(1.0F) - steps_off, T(0.0F)), T(at_[i]), sum);
         }
         return sum;
     }

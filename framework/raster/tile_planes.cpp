@@ -1,7 +1,7 @@
 #include "framework/raster/tile_planes.hpp"
 
-#include "framework/raster/interpolate.hpp"
 #include "framework/raster/lane_vertices.hpp"
+#include "framework/raster/large_planes.hpp"
 #include "framework/math/dispatch.hpp"
 
 #include <algorithm>
@@ -56,7 +56,8 @@ class PlaneSetup {
             const TileTriangle& t = triangle(owners[lane]);
             if ((done >> lane & 1U) == 0) {
                 tile_.anchored_at_corners = false;
-                set_up_any(screen_triangle(frame_, t), shader, planes + lane);
+                set_up_large_planes(frame_, tile_, screen_triangle(frame_, t), shader, N,
+                                    planes + lane);
             }
             tile_.plane_start[static_cast<std::size_t>(owners[lane])] =
                 static_cast<std::int32_t>(start + lane);
@@ -200,62 +201,6 @@ class PlaneSetup {
                 store(out + 3 * count * N, d0);
             }
         }
-    }
-
-    // A triangle of any size, in double, anchored at a corner of the tile: the farthest, where S is
-    // smallest, or the nearest where the farthest lies beyond the triangle's horizon.
-    void set_up_any(const ScreenTriangle& t, const Shader& shader, float* planes) const {
-        const Edges edges = edges_of(t.v);
-        // Screen barycentrics over w: e of the edges, in pixels.
-        const auto over_w = [&](auto&& e) {
-            const double scale = 1.0 / static_cast<double>(std::abs(edges.double_area));
-            glm::dvec3 b;
-            for (int i = 0; i < 3; ++i) {
-                b[i] = static_cast<double>(e(edges.edge[static_cast<std::size_t>(i)])) * scale *
-                       static_cast<double>(t.v[i].inverse_w);
-            }
-            return b;
-        };
-        const auto over_w_at = [&](int x, int y) {
-            return over_w([&](const Edge& e) {
-                return e.at((tile_.x + x) * subpixel_one, (tile_.y + y) * subpixel_one) +
-                       (e.inclusive ? 0 : 1);
-            });
-        };
-        const auto sum = [](const glm::dvec3& v) { return v.x + v.y + v.z; };
-        const glm::dvec3 right = over_w([](const Edge& e) { return e.a * subpixel_one; });
-        const glm::dvec3 down = over_w([](const Edge& e) { return e.b * subpixel_one; });
-        int x = sum(right) < 0 ? tile_size : 0;
-        int y = sum(down) < 0 ? tile_size : 0;
-        glm::dvec3 at = over_w_at(x, y);
-        if (!(sum(at) > 0)) {
-            x = tile_size - x;
-            y = tile_size - y;
-            at = over_w_at(x, y);
-        }
-        const double unit = 1.0 / sum(at);
-        planes[0] = static_cast<float>(x);
-        planes[N] = static_cast<float>(y);
-        planes[2 * N] = static_cast<float>(sum(right) * unit);
-        planes[3 * N] = static_cast<float>(sum(down) * unit);
-
-        const CornerVaryings c = corner_varyings(shader, *frame_.mesh, t);
-        const std::size_t nearest = nearest_corner(t);
-        const auto count = static_cast<std::size_t>(shader.varyings);
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto first = static_cast<double>(c[nearest][k]);
-            const glm::dvec3 rise = (glm::dvec3(c[0][k], c[1][k], c[2][k]) - first) * unit;
-            float* out = planes + (4 + k) * N;
-            out[0] = c[nearest][k];
-            out[count * N] = static_cast<float>(dot(rise, right));
-            out[2 * count * N] = static_cast<float>(dot(rise, down));
-            out[3 * count * N] = static_cast<float>(dot(rise, at));
-        }
-    }
-
-    static std::size_t nearest_corner(const ScreenTriangle& t) {
-        const float w[] = {t.v[0].inverse_w, t.v[1].inverse_w, t.v[2].inverse_w};
-        return static_cast<std::size_t>(std::max_element(w, w + 3) - w);
     }
 
     const Frame& frame_;

@@ -104,29 +104,38 @@ double bound(const Shape& shape) {
     return 4 * 0x1p-24 * (1 + tile_size / shape.height) * shape.depth_ratio;
 }
 
+// Calls visit(x, y, barycentrics) for every pixel that a picture of one triangle shows it in.
+template <class Visit>
+void for_each_pixel(const Drawn& drawn, const ScreenTriangle& t, const Edges& edges,
+                    Visit&& visit) {
+    const int half = subpixel_one / 2;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (drawn.triangle(x, y) != no_triangle) {
+                visit(
+                    x, y,
+                    barycentrics<double>(t, edges, x * subpixel_one + half, y * subpixel_one + half)
+                        .space);
+            }
+        }
+    }
+}
+
 Errors errors_of(const Mesh& mesh, const ScreenTriangle& t, const View& view) {
     const Edges edges = edges_of(t.v);
     const NaivePlanes naive(t, edges);
     const Drawn scanline = draw(mesh, view, plug(show_uv), {.rasterizer = Rasterizer::scanline});
     const Drawn tiles = draw(mesh, view, plug(show_uv), {});
     Errors e;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            if (scanline.triangle(x, y) == no_triangle) {
-                continue;
-            }
-            const auto exact = barycentrics<double>(t, edges, x * subpixel_one + subpixel_one / 2,
-                                                    y * subpixel_one + subpixel_one / 2);
-            const auto error = [&](const glm::vec2& uv) {
-                return std::max(std::abs(double{uv.x} - exact.space[0]),
-                                std::abs(double{uv.y} - exact.space[1]));
-            };
-            e.scanline = std::max(e.scanline, error(glm::vec2(scanline.linear(x, y))));
-            e.tiles = std::max(e.tiles, error(glm::vec2(tiles.linear(x, y))));
-            e.naive = std::max(e.naive, error(naive.at(x, y)));
-            ++e.pixels;
-        }
-    }
+    for_each_pixel(scanline, t, edges, [&](int x, int y, const std::array<double, 3>& exact) {
+        const auto error = [&](const glm::vec2& uv) {
+            return std::max(std::abs(double{uv.x} - exact[0]), std::abs(double{uv.y} - exact[1]));
+        };
+        e.scanline = std::max(e.scanline, error(glm::vec2(scanline.linear(x, y))));
+        e.tiles = std::max(e.tiles, error(glm::vec2(tiles.linear(x, y))));
+        e.naive = std::max(e.naive, error(naive.at(x, y)));
+        ++e.pixels;
+    });
     e.tiles_to_bound = e.tiles / bound(shape_of(t, edges));
     return e;
 }
@@ -185,18 +194,11 @@ double largest_error(double flattest, double farthest, const S& shader, Prepare&
         const ScreenTriangle& t = triangles[0];
         prepare(t, mesh);
         const Drawn drawn = draw(mesh, view, plug(shader), {});
-        const Edges edges = edges_of(t.v);
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                if (drawn.triangle(x, y) != no_triangle) {
-                    const int half = subpixel_one / 2;
-                    const auto exact = barycentrics<double>(t, edges, x * subpixel_one + half,
-                                                            y * subpixel_one + half);
-                    worst = std::max(worst, error_at(drawn.linear(x, y), exact.space, mesh));
-                    ++pixels;
-                }
-            }
-        }
+        for_each_pixel(drawn, t, edges_of(t.v),
+                       [&](int x, int y, const std::array<double, 3>& exact) {
+                           worst = std::max(worst, error_at(drawn.linear(x, y), exact, mesh));
+                           ++pixels;
+                       });
     }
     CHECK(pixels > 10000);
     MESSAGE(pixels, " px: ", worst);

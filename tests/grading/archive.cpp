@@ -2,7 +2,7 @@
 
 #include "tests/grading/plain_text.hpp"
 #include "tests/grading/sandbox/confine.hpp"
-#include "tests/grading/temporary.hpp"
+#include "tests/temporary.hpp"
 
 #include <sstream>
 

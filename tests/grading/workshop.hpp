@@ -3,7 +3,7 @@
 
 #include "tests/grading/case.hpp"
 #include "tests/grading/score.hpp"
-#include "tests/grading/temporary.hpp"
+#include "tests/temporary.hpp"
 
 #include <filesystem>
 

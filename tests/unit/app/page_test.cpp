@@ -2,7 +2,7 @@
 
 #include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
-#include "tests/unit/image/temporary.hpp"
+#include "tests/temporary.hpp"
 
 #include <doctest/doctest.h>
 

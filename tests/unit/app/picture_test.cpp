@@ -4,8 +4,8 @@
 #include "framework/image/convert.hpp"
 #include "framework/image/pfm.hpp"
 #include "framework/image/png.hpp"
+#include "tests/temporary.hpp"
 #include "tests/unit/app/small_lesson.hpp"
-#include "tests/unit/image/temporary.hpp"
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "framework/image/file.hpp"
-#include "tests/unit/image/temporary.hpp"
+#include "tests/temporary.hpp"
 
 #include <algorithm>
 #include <cstdlib>

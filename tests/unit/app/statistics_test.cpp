@@ -1,8 +1,8 @@
 #include "framework/app/statistics.hpp"
 
 #include "framework/image/file.hpp"
+#include "tests/temporary.hpp"
 #include "tests/unit/app/small_lesson.hpp"
-#include "tests/unit/image/temporary.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -3,8 +3,8 @@
 #include "framework/app/panels.hpp"
 #include "framework/app/window_parcel.hpp"
 #include "framework/math/error.hpp"
+#include "tests/temporary.hpp"
 #include "tests/unit/app/window_lesson.hpp"
-#include "tests/unit/image/temporary.hpp"
 
 #include <doctest/doctest.h>
 

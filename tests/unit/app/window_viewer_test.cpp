@@ -3,8 +3,8 @@
 #include "framework/app/window_compare.hpp"
 #include "framework/image/png.hpp"
 #include "framework/math/error.hpp"
+#include "tests/temporary.hpp"
 #include "tests/unit/app/window_lesson.hpp"
-#include "tests/unit/image/temporary.hpp"
 
 #include <doctest/doctest.h>
 

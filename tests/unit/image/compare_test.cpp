@@ -2,8 +2,8 @@
 #include "framework/image/convert.hpp"
 #include "framework/image/file.hpp"
 #include "framework/image/pfm.hpp"
+#include "tests/temporary.hpp"
 #include "tests/unit/image/pictures.hpp"
-#include "tests/unit/image/temporary.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

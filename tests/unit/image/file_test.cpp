@@ -1,8 +1,8 @@
 #include "framework/image/file.hpp"
 
 #include "framework/math/error.hpp"
+#include "tests/temporary.hpp"
 #include "tests/unit/image/bytes.hpp"
-#include "tests/unit/image/temporary.hpp"
 
 #include <doctest/doctest.h>
 

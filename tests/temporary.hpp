@@ -1,4 +1,4 @@
-// A folder that lives as long as a test.
+// A temporary folder that goes with its owner. Others may pass through it, not list it.
 #pragma once
 
 #include <cstdlib>
@@ -17,6 +17,7 @@ class TemporaryFolder {
             throw std::system_error(errno, std::generic_category(), name);
         }
         path_ = name;
+        std::filesystem::permissions(path_, std::filesystem::perms(0711));
     }
     ~TemporaryFolder() {
         std::error_code ignored;
@@ -25,6 +26,7 @@ class TemporaryFolder {
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+    const std::filesystem::path& path() const { return path_; }
     std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
     // How many files lie in it.

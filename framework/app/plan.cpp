@@ -2,7 +2,7 @@
 
 #include "framework/app/picture.hpp"
 #include "framework/raster/renderer.hpp"
-#include "framework/image/srgb.hpp"
+#include "framework/image/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,29 +19,6 @@ constexpr double enough_ms = 150;
 constexpr double pays = 0.98;   // a saving below 2 % of the time is none
 constexpr double safety = 2.0;  // on errors that a sample of the picture shows
 constexpr int one_in = 4;       // columns, and rows, of the picture that the sample has
-
-double code(float linear) {
-    return 255 * srgb_encode(std::clamp(double{linear}, 0.0, 1.0));
-}
-
-// In codes; infinite where one colour is NaN and the other is not.
-double difference(float a, float b) {
-    if (a == b || (std::isnan(a) && std::isnan(b))) {
-        return 0;
-    }
-    const double d = std::abs(code(a) - code(b));
-    return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : d;
-}
-
-double largest_difference(const LinearImage& a, const LinearImage& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-        for (int c = 0; c < 3; ++c) {
-            largest = std::max(largest, difference(a.pixels()[i][c], b.pixels()[i][c]));
-        }
-    }
-    return largest;
-}
 
 // What can be done in several ways, the full model's first, then ever cheaper.
 struct Choice {
@@ -135,10 +112,12 @@ class Planner {
         o.settings.samples = 1;
         const LinearImage full = draw_linear(o);
         o.settings.rasterizer = Rasterizer::reference;
-        return largest_difference(draw_linear(o), full);
+        return largest_code_difference(draw_linear(o), full);
     }
 
-    double error(const Way& w) const { return own_error_ + largest_difference(full_, picture(w)); }
+    double error(const Way& w) const {
+        return own_error_ + largest_code_difference(full_, picture(w));
+    }
     bool is_within(const Levels& levels) const { return error(way(levels)) <= options_.tolerance; }
 
     // Each choice alone, then all at once; where that is too much, the last is made dearer.

@@ -2,11 +2,13 @@
 
 #include "framework/image/flip.hpp"
 #include "framework/image/same_size.hpp"
+#include "framework/image/srgb.hpp"
 #include "framework/image/ssim.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace glint {
@@ -40,6 +42,19 @@ void measure_codes(Metrics& metrics, const SrgbImage& reference, const SrgbImage
     metrics.over_one = static_cast<double>(over_one) / pixels;
 }
 
+// Not rounded.
+double code(float linear) {
+    return 255 * srgb_encode(std::clamp(double{linear}, 0.0, 1.0));
+}
+
+double code_difference(float a, float b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) {
+        return 0;
+    }
+    const double d = std::abs(code(a) - code(b));
+    return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : d;
+}
+
 }  // namespace
 
 Metrics measure_difference(const SrgbImage& reference, const SrgbImage& test) {
@@ -53,6 +68,18 @@ Metrics measure_difference(const SrgbImage& reference, const SrgbImage& test) {
         std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
     metrics.flip_max = std::ranges::max(pixels);
     return metrics;
+}
+
+double largest_code_difference(const LinearImage& reference, const LinearImage& test) {
+    require_same_size(reference, test);
+    double largest = 0;
+    for (std::size_t i = 0; i < reference.pixels().size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            largest =
+                std::max(largest, code_difference(reference.pixels()[i][c], test.pixels()[i][c]));
+        }
+    }
+    return largest;
 }
 
 }  // namespace glint

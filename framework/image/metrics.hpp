@@ -22,4 +22,8 @@ struct Metrics {
 // Error: sizes that differ, empty pictures.
 Metrics measure_difference(const SrgbImage& reference, const SrgbImage& test);
 
+// The largest difference of linear pictures in sRGB codes, 0..255, before these are rounded; values
+// are clamped to 0..1. Infinity where only one is NaN. Error: sizes that differ.
+double largest_code_difference(const LinearImage& reference, const LinearImage& test);
+
 }  // namespace glint

@@ -9,8 +9,9 @@
 namespace glint {
 
 // Error where the sizes differ or nothing is there.
-inline void require_same_size(const SrgbImage& reference, const SrgbImage& test) {
-    const auto size = [](const SrgbImage& image) {
+template <class Pixel>
+void require_same_size(const Image<Pixel>& reference, const Image<Pixel>& test) {
+    const auto size = [](const Image<Pixel>& image) {
         return std::to_string(image.width()) + "x" + std::to_string(image.height());
     };
     if (reference.width() != test.width() || reference.height() != test.height()) {

@@ -53,7 +53,8 @@ struct Options {
 };
 
 constexpr const char* examples =
-    R"(Files that end in .pfm are read as PFM and compared as sRGB codes, all others as PNG.
+    R"(Files that end in .pfm are read as PFM and compared as sRGB codes, all others as PNG. Of two
+PFM files "unrounded" is the largest difference before the codes are rounded.
 The psnr of equal pictures is infinite, which JSON writes as null.
 
 Exit status: 0, 1 where a limit is passed, 2 where something cannot be read or written.
@@ -78,47 +79,61 @@ void declare(CLI::App& app, Options& options) {
     app.footer(examples);
 }
 
-SrgbImage read_picture(const std::filesystem::path& path) {
-    return path.extension() == ".pfm" ? to_srgb(read_pfm(path)) : read_png(path);
+bool is_pfm(const std::filesystem::path& path) {
+    return path.extension() == ".pfm";
 }
 
-// The pixel that differs most, in both pictures.
-struct Worst {
+SrgbImage read_picture(const std::filesystem::path& path) {
+    return is_pfm(path) ? to_srgb(read_pfm(path)) : read_png(path);
+}
+
+// What the metrics leave out: the pixel that differs most, in both pictures, and of linear ones the
+// largest difference in codes that are not rounded.
+struct Details {
     Rgba8 reference, test;
+    std::optional<double> unrounded;
 };
 
 std::string words(const Rgba8& p) {
     return std::to_string(p.r) + " " + std::to_string(p.g) + " " + std::to_string(p.b);
 }
 
-std::string as_json(const Options& options, const Metrics& metrics, const Worst& worst) {
+std::string as_json(const Options& options, const Metrics& metrics, const Details& details) {
     nlohmann::ordered_json json;
     for (const Field& field : options.fields) {
         const double value = metrics.*field.value;
         json[field.name] = std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
     }
+    if (details.unrounded) {
+        json["unrounded"] = *details.unrounded;
+    }
     json["worst_x"] = metrics.worst_x;
     json["worst_y"] = metrics.worst_y;
-    json["worst_reference"] = {worst.reference.r, worst.reference.g, worst.reference.b};
-    json["worst_test"] = {worst.test.r, worst.test.g, worst.test.b};
+    json["worst_reference"] = {details.reference.r, details.reference.g, details.reference.b};
+    json["worst_test"] = {details.test.r, details.test.g, details.test.b};
     return json.dump(2) + "\n";
 }
 
-void print_table(const Options& options, const Metrics& metrics, const Worst& worst) {
+void print_table(const Options& options, const Metrics& metrics, const Details& details) {
     for (const Field& field : options.fields) {
         std::printf("%-10s %12.6g   %s\n", field.name, metrics.*field.value, field.meaning);
     }
+    if (details.unrounded) {
+        std::printf("%-10s %12.6g   largest difference, in codes that are not rounded\n",
+                    "unrounded", *details.unrounded);
+    }
     const auto place = std::to_string(metrics.worst_x) + " " + std::to_string(metrics.worst_y);
     std::printf("%-10s %12s   x y of the first pixel with the largest difference: %s, was %s\n",
-                "worst", place.c_str(), words(worst.test).c_str(), words(worst.reference).c_str());
+                "worst", place.c_str(), words(details.test).c_str(),
+                words(details.reference).c_str());
 }
 
-void write_numbers(const Options& options, const Metrics& metrics, const Worst& worst) {
-    const std::string json = as_json(options, metrics, worst);
+void write_numbers(const Options& options, const Metrics& metrics, const Details& details) {
+    const std::string json = as_json(options, metrics, details);
     if (options.json == "-") {
         std::fputs(json.c_str(), stdout);
     } else {
-        print_table(options, metrics, worst);
+        print_table(options, metrics, details);
     }
     if (std::fflush(stdout) != 0) {
         throw Error("cannot write to standard output");
@@ -160,9 +175,14 @@ int compare(const Options& options) {
     const SrgbImage test = read_picture(options.test);
     const Metrics metrics = measure_difference(reference, test);
     write_pictures(options, reference, test);
-    write_numbers(
-        options, metrics,
-        {reference(metrics.worst_x, metrics.worst_y), test(metrics.worst_x, metrics.worst_y)});
+    Details details{.reference = reference(metrics.worst_x, metrics.worst_y),
+                    .test = test(metrics.worst_x, metrics.worst_y),
+                    .unrounded = {}};
+    if (is_pfm(options.reference) && is_pfm(options.test)) {
+        details.unrounded =
+            largest_code_difference(read_pfm(options.reference), read_pfm(options.test));
+    }
+    write_numbers(options, metrics, details);
     return judge(options, metrics);
 }
 

@@ -2,12 +2,14 @@
 #include "framework/image/convert.hpp"
 #include "framework/image/file.hpp"
 #include "framework/image/pfm.hpp"
+#include "framework/image/srgb.hpp"
 #include "tests/temporary.hpp"
 #include "tests/unit/image/pictures.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sys/wait.h>
 
@@ -126,6 +128,24 @@ TEST_CASE("PFM is compared as sRGB codes") {
     const Run result = run(folder, (folder / "a.pfm").string() + " " + noise + "--json -");
     CHECK(result.status == 0);
     CHECK(json::parse(result.out)["max"] == 34);
+}
+
+TEST_CASE("of two PFM the largest difference is said before codes are rounded, too") {
+    const TemporaryFolder folder;
+    LinearImage a(16, 16);
+    std::ranges::fill(a.pixels(), Rgb<float>(0.5F));
+    LinearImage b = a;
+    b(3, 5).g = 0.501F;
+    write_pfm(folder / "a.pfm", a);
+    write_pfm(folder / "b.pfm", b);
+    const std::string both = (folder / "a.pfm").string() + " " + (folder / "b.pfm").string() + " ";
+    const json numbers = json::parse(run(folder, both + "--json -").out);
+    const double exact = 255 * (srgb_encode(double{0.501F}) - srgb_encode(0.5));
+    CHECK(numbers["unrounded"].get<double>() == doctest::Approx(exact));
+    CHECK(exact > 0.15);
+    CHECK(numbers["max"] == 0);
+    CHECK(run(folder, both).out.find("unrounded") != std::string::npos);
+    CHECK_FALSE(json::parse(run(folder, sphere + noise + "--json -").out).contains("unrounded"));
 }
 
 TEST_CASE("what cannot be done is one line and exit status 2") {

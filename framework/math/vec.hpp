@@ -166,8 +166,7 @@ Vec3<T> normalize_or(const Vec3<T>& v, const Vec3<T>& fallback) {
     constexpr auto most = std::numeric_limits<T>::max();
     const T square = dot(v, v);
     const MaskOf<T> usable = (square >= T(least)) & (square <= T(most));
-    const T estimate = inverse_sqrt_estimate(select(usable, square, T(1.0F)));
-    return select(usable, scaled_to_one(v, estimate), fallback);
+    return select(usable, scaled_to_one(v, inverse_sqrt_estimate(square)), fallback);
 }
 
 }  // namespace glint

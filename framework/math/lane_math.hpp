@@ -94,26 +94,20 @@ Float<N> abs(Float<N> a) {
     return xsimd::abs(a.v);
 }
 
-// 1/sqrt(a) of normal a > 0, and 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the
-// last place. Some processors give NaN where a is 0 or infinite.
-template <int N>
-Float<N> inverse_sqrt(Float<N> a) {
-    return simd::inverse_sqrt(a.v);
-}
+// 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the last place. Some processors give
+// NaN where a is 0 or infinite.
 template <int N>
 Float<N> reciprocal(Float<N> a) {
     return simd::reciprocal(a.v);
 }
-inline float inverse_sqrt(float a) {
-    return simd::inverse_sqrt(a);
-}
 inline float reciprocal(float a) {
     return simd::reciprocal(a);
 }
-inline double inverse_sqrt(double a) {
-    return 1.0 / std::sqrt(a);
+inline double reciprocal(double a) {
+    return 1.0 / a;
 }
-// 1/sqrt(a) of normal a > 0 to 14 bits or more: what a step of Newton's iteration starts from.
+
+// 1/sqrt(a) of normal a > 0, to 14 bits or more: what a step of Newton's iteration starts from.
 template <int N>
 Float<N> inverse_sqrt_estimate(Float<N> a) {
     return simd::inverse_sqrt_estimate(a.v);
@@ -122,10 +116,7 @@ inline float inverse_sqrt_estimate(float a) {
     return simd::inverse_sqrt_estimate(a);
 }
 inline double inverse_sqrt_estimate(double a) {
-    return inverse_sqrt(a);
-}
-inline double reciprocal(double a) {
-    return 1.0 / a;
+    return 1.0 / std::sqrt(a);
 }
 
 // a*b + c; of floats rounded once where the processor can, else twice, on one lane as on many.

@@ -9,8 +9,8 @@
 
 namespace glint::simd {
 
-// 14 bits and a step of Newton's iteration, which doubles them: a third of the time that root and
-// quotient take. The same bits in registers of any width.
+// Estimates of 14 bits, which a step of Newton's iteration doubles: a third of the time that root
+// and quotient take. The same bits in registers of any width.
 #if defined(__AVX512VL__)
 inline __m512 root_estimate(__m512 a) {
     return _mm512_rsqrt14_ps(a);
@@ -41,23 +41,14 @@ F inverse_sqrt_estimate(F a) {
     return root_estimate(a);
 }
 template <class F>
-F inverse_sqrt(F a) {
-    const F y = root_estimate(a);
-    return fma(y * F(0.5F), fma(-a * y, y, F(1.0F)), y);
-}
-template <class F>
 F reciprocal(F a) {
     const F y = quotient_estimate(a);
     return fma(y, fma(-a, y, F(1.0F)), y);
 }
 #else
 template <class F>
-F inverse_sqrt(F a) {
-    return quotient(F(1.0F), sqrt(a));
-}
-template <class F>
 F inverse_sqrt_estimate(F a) {
-    return inverse_sqrt(a);
+    return quotient(F(1.0F), sqrt(a));
 }
 template <class F>
 F reciprocal(F a) {

@@ -52,7 +52,6 @@ struct Counted {
     friend Counted min(Counted a, Counted b) { return counted(glint::min(a.value, b.value)); }
     friend Counted max(Counted a, Counted b) { return counted(glint::max(a.value, b.value)); }
     friend Counted sqrt(Counted a) { return counted(std::sqrt(a.value)); }
-    friend Counted inverse_sqrt(Counted a) { return Counted(1.0F) / sqrt(a); }
     friend Counted inverse_sqrt_estimate(Counted a) { return counted(1 / std::sqrt(a.value)); }
     friend Counted select(Answer m, Counted a, Counted b) {
         return counted(m.yes ? a.value : b.value);

@@ -82,23 +82,29 @@ Errors errors_of_quotients(const Columns& in, const Columns& out) {
 
 void add_vectors(std::vector<Contender>& all) {
     const auto in = vectors();
-    const auto add = [&](const char* method, const auto& inverse_root) {
-        const Trial t = try_out_quick<Wide, 3, 3>(
-            in, [=](const auto& v) { return scaled(v, inverse_root(square_of(v))); });
+    const auto add = [&](const char* method, const auto& normalised) {
+        const Trial t = try_out_quick<Wide, 3, 3>(in, normalised);
         all.push_back({method,
                        t.work,
                        t.amount,
                        {{"a vector of length 1", "2^-24", errors_of_vectors(*in, *t.out)}}});
     };
-    add("exact operations", [](const Wide& a) { return Wide(1.0F) / sqrt(a); });
-    add("Glint's", [](const Wide& a) { return inverse_sqrt(a); });
+    const auto by = [](const auto& inverse_root) {
+        return [=](const auto& v) { return scaled(v, inverse_root(square_of(v))); };
+    };
+    add("exact operations", by([](const Wide& a) { return Wide(1.0F) / sqrt(a); }));
+    add("Glint's", [](const auto& v) {
+        const Vec3<Wide> n = normalize(vector_of(v));
+        return std::array{n.x, n.y, n.z};
+    });
 #if defined(__AVX512VL__)
     const auto estimate = [](const Wide& a) { return Wide(simd::root_estimate(a.v.data)); };
-    add("estimate", estimate);
-    add("estimate and Newton", [=](const Wide& a) { return better_root(a, estimate(a)); });
+    add("estimate", by(estimate));
+    add("estimate and Newton", by([=](const Wide& a) { return better_root(a, estimate(a)); }));
 #endif
-    add("shifted bits and Newton", [](const Wide& a) { return better_root(a, shifted_root(a)); });
-    add("shifted bits", [](const Wide& a) { return shifted_root(a); });
+    add("shifted bits and Newton",
+        by([](const Wide& a) { return better_root(a, shifted_root(a)); }));
+    add("shifted bits", by([](const Wide& a) { return shifted_root(a); }));
 }
 
 void add_quotients(std::vector<Contender>& all) {

@@ -8,6 +8,6 @@ namespace glint::stability {
 
 struct Contracted : EnginePhong {};  // a type of its own, that the linker may not take for another
 
-Shader plug_contracted(const Lit<Contracted>& shader);
+[[gnu::visibility("default")]] Shader plug_contracted(const Lit<Contracted>& shader);
 
 }  // namespace glint::stability

@@ -22,8 +22,7 @@ class Renderer {
 
     // One frame: triangle t is shaded by shaders[mesh.materials[t]]. Of equal depths the triangle
     // submitted first wins. The pictures do not depend on the number of threads, nor ids and depths
-    // on lanes and rasterizer; colours do so by rounding: below 1e-5, and n 2^-23 in highlights of
-    // an exponent n above 84.
+    // on lanes and rasterizer; colours do so by rounding, which tests/pictures bounds.
     // Error where the view is out of its range or a shader is missing; then nothing is drawn. That
     // triangles name existing vertices is not checked.
     Statistics render(const Mesh& mesh, const View& view, std::span<const Shader> shaders,

@@ -103,9 +103,6 @@ Float<N> reciprocal(Float<N> a) {
 inline float reciprocal(float a) {
     return simd::reciprocal(a);
 }
-inline double reciprocal(double a) {
-    return 1.0 / a;
-}
 
 // 1/sqrt(a) of normal a > 0, to 14 bits or more: what a step of Newton's iteration starts from.
 template <int N>

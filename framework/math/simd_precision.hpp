@@ -9,8 +9,8 @@
 
 namespace glint::simd {
 
-// Estimates of 14 bits, which a step of Newton's iteration doubles: a third of the time that root
-// and quotient take. The same bits in registers of any width.
+// Estimates of 14 bits, which a step of Newton's iteration doubles; what that saves against root
+// and quotient: docs/charts/families/normalise.cpp. The same bits in registers of any width.
 #if defined(__AVX512VL__)
 inline __m512 root_estimate(__m512 a) {
     return _mm512_rsqrt14_ps(a);

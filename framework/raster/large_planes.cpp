@@ -8,8 +8,8 @@
 namespace glint {
 namespace {
 
-// Screen barycentrics over 1/w, in double, from the exact edges of a triangle: they are linear in
-// the window.
+// Screen barycentrics over w, in double, from the exact edges of a triangle: they are linear in the
+// window.
 class BarycentricsOverW {
   public:
     explicit BarycentricsOverW(const ScreenTriangle& t) : t_(t), edges_(edges_of(t.v)) {}

@@ -76,9 +76,10 @@ inline constexpr auto scale_of_octave = [] {
     return scale;
 }();
 
-// 255 times the curve, for 0 <= x <= 1, to 1/8000 of a code.
+// 255 times the curve, plus 1/2: the code in bits 12 to 19, its fraction below them, off by less
+// than the last bit. For 0 <= x <= 1.
 template <class F>
-F approximate_code(F x) {
+IntOf<F> code_and_fraction(F x) {
     using I = IntOf<F>;
     const I bits = bits_of(x);
     const F mantissa = float_from_bits((bits & I(0x7fffff)) | I(0x3f800000));
@@ -86,8 +87,35 @@ F approximate_code(F x) {
     const F power = polynomial(mantissa, 0.350306869F, 1.06413138F, -0.687737048F, 0.390423328F,
                                -0.145197615F, 0.0309279542F, -0.00285470439F);
     const F scale = lookup16(scale_of_octave.data(), bits >> 23);
-    const F curve = fma(scale, power, F(-255.0F * 0.055F));
-    return select(x <= F(0.0031308F), x * F(255.0F * 12.92F), curve);
+    // From 2048 to 4096, the last place of a float is 2^-12.
+    const F curve = fma(scale, power, F(2048.0F + 0.5F - 255.0F * 0.055F));
+    const F line = fma(x, F(255.0F * 12.92F), F(2048.0F + 0.5F));
+    return bits_of(select(x <= F(0.0031308F), line, curve));
+}
+
+// Whether the code may be a neighbour's: the fraction is all zeros or all ones.
+template <class I>
+auto is_doubtful(const I& code_and_fraction) {
+    return ((code_and_fraction + I(1)) & I(0xffe)) == I(0);
+}
+
+// The code of 0 <= x <= 1, doubtful or not.
+template <class F>
+IntOf<F> exact_code(F x) {
+    using I = IntOf<F>;
+    const I low = ((code_and_fraction(x) - I(1)) >> 12) & I(255);
+    return low + select(x >= gather(end_of_code.data(), low), I(1), I(0));
+}
+
+// Not inlined, or opaque_code() would save registers for it, needed or not.
+template <class F>
+[[gnu::noinline]] IntOf<F> exact_codes(F r, F g, F b) {
+    return exact_code(r) | (exact_code(g) << 8) | (exact_code(b) << 16);
+}
+
+template <class F>
+F limited(F linear) {
+    return min(max(linear, F(0.0F)), F(1.0F));
 }
 
 }  // namespace srgb
@@ -97,15 +125,32 @@ F approximate_code(F x) {
 template <class F>
 IntOf<F> srgb_code(F linear) {
     using I = IntOf<F>;
-    const F x = min(max(linear, F(0.0F)), F(1.0F));
-    const F code = srgb::approximate_code(x);
-    constexpr float doubt = 0x1p-12F;
-    const I low = truncate_to_int(code + F(0.5F - doubt));
-    const I high = truncate_to_int(code + F(0.5F + doubt));
-    if (all(low == high)) [[likely]] {
-        return low;
+    const F x = srgb::limited(linear);
+    const I code = srgb::code_and_fraction(x);
+    if (any(srgb::is_doubtful(code))) [[unlikely]] {
+        return srgb::exact_code(x);
     }
-    return low + select(x >= gather(srgb::end_of_code.data(), low), I(1), I(0));
+    return (code >> 12) & I(255);
+}
+
+// The codes of a linear colour, opaque, as Rgba8 lies in memory: one test for all three.
+template <class F>
+[[gnu::always_inline]] inline IntOf<F> opaque_code(F r, F g, F b) {
+    using I = IntOf<F>;
+    static_assert(std::endian::native == std::endian::little);
+    const I opaque(static_cast<std::int32_t>(0xFF000000U));
+    r = srgb::limited(r);
+    g = srgb::limited(g);
+    b = srgb::limited(b);
+    const I red = srgb::code_and_fraction(r);
+    const I green = srgb::code_and_fraction(g);
+    const I blue = srgb::code_and_fraction(b);
+    if (any(srgb::is_doubtful(red) | srgb::is_doubtful(green) | srgb::is_doubtful(blue)))
+        [[unlikely]] {
+        return srgb::exact_codes(r, g, b) | opaque;
+    }
+    return ((red >> 12) & I(0xff)) | ((green >> 4) & I(0xff00)) | ((blue << 4) & I(0xff0000)) |
+           opaque;
 }
 
 inline std::uint8_t linear_to_srgb(float linear) {

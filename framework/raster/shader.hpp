@@ -76,7 +76,7 @@ struct Shader {
                                 int count, float* out);
     // Colours of a block of fragments: varying k of fragment i is at in[k * stride + i], its red,
     // green and blue go to out[i], out[stride + i], out[2 * stride + i]. The lanes version reads
-    // and writes up to the next multiple of its width.
+    // and writes up to the next multiple of its width. in and out do not overlap.
     template <class Scalar>
     using ShadeCall = void (*)(const void* shader, const Scalar* in, int stride, int count,
                                Scalar* out);
@@ -130,7 +130,8 @@ void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices,
 
 // Flattened: what the shader calls is part of this loop, or its registers would go through memory.
 template <class S, class T, class Scalar>
-[[gnu::flatten]] void shade(const void* shader, const Scalar* in, int stride, int n, Scalar* out) {
+[[gnu::flatten]] void shade(const void* shader, const Scalar* __restrict in, int stride, int n,
+                            Scalar* __restrict out) {
     const S& s = *static_cast<const S*>(shader);
     for (int i = 0; i < n; i += lanes_of<T>) {
         const Rgb<T> colour = s(gather_varyings<S, T>(in + i, stride));

@@ -102,15 +102,6 @@ inline bool keeps_colour(const Frame& frame) {
     return frame.target.linear != nullptr || frame.settings.samples > 1;
 }
 
-// Linear colour as Rgba8, opaque. T is float or lanes.
-template <class T>
-IntOf<T> opaque_code(T r, T g, T b) {
-    using I = IntOf<T>;
-    static_assert(std::endian::native == std::endian::little);
-    return srgb_code(r) | (srgb_code(g) << 8) | (srgb_code(b) << 16) |
-           I(static_cast<std::int32_t>(0xFF000000U));
-}
-
 inline std::uint32_t source_of(const Frame& frame, TileTriangle t) {
     return (t.ref & piece_bit) != 0 ? frame.chunks[t.chunk].piece(t.ref).source : t.ref;
 }

@@ -90,9 +90,11 @@ class TileShading {
         return tile_.plane_start[static_cast<std::size_t>(triangle)];
     }
 
-    // Of several triangles: one round for every two groups.
-    void interpolate_across(const std::int32_t* triangle, std::size_t n, I triangles, int varyings,
-                            T x, T y, float* out) const {
+    // Of several triangles: one round for every two groups. Not inlined, for it would take the
+    // registers of what is frequent.
+    [[gnu::noinline]] void interpolate_across(const std::int32_t* triangle, std::size_t n,
+                                              I triangles, int varyings, T x, T y,
+                                              float* out) const {
         const I starts = gather(tile_.plane_start.data(), triangles);
         const I place = starts & I(N - 1);
         const I groups = starts - place;

@@ -63,7 +63,6 @@ struct Counted {
     friend Counted abs(Counted a) { return std::abs(a.value); }
     friend float first_lane(Counted a) { return a.value; }
     friend std::int32_t bits_of(Counted a) { return glint::bits_of(a.value); }
-    friend std::int32_t truncate_to_int(Counted a) { return glint::truncate_to_int(a.value); }
 };
 
 template <>

@@ -34,7 +34,6 @@ float multiply_and_add(int times) {
 template <int N>
 [[gnu::flatten]] void shade_rows(const BenchShader& shader, SrgbImage& picture) {
     using T = typename Lanes<N>::Float;
-    using I = typename Lanes<N>::Int;
     const FlushSubnormals flush;
     const float step = 1.0F / static_cast<float>(picture.width());
     for (int y = 0; y < picture.height(); ++y) {
@@ -45,9 +44,7 @@ template <int N>
             const BenchShader::Varyings<T> in{{column - T(0.5F), row - T(0.3F), column + row},
                                               {column - T(0.5F), T(0.3F) - row, T(0.7F) + row}};
             const Rgb<T> c = shader(in);
-            const I code = srgb_code(c.r) | (srgb_code(c.g) << 8) | (srgb_code(c.b) << 16) |
-                           I(static_cast<std::int32_t>(0xFF000000U));
-            store(out + x, code);
+            store(out + x, opaque_code(c.r, c.g, c.b));
         }
     }
 }

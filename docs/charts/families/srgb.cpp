@@ -103,7 +103,7 @@ void add_all(Values values) {
     values.add<float>("libm's pow", by_libm);
     values.add<Wide>("Glint's", [](const Wide& x) { return code_bits<Wide>(srgb_code(x)); });
     values.add<Wide>("polynomial", [](const Wide& x) {
-        return code_bits<Wide>(truncate_to_int(srgb::approximate_code(clamped(x)) + Wide(0.5F)));
+        return code_bits<Wide>((srgb::code_and_fraction(clamped(x)) >> 12) & IntOf<Wide>(255));
     });
     values.add<Wide>("table of 256", CodeTable(256));
     values.add<Wide>("table of 4096", CodeTable(4096));

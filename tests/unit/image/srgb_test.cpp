@@ -82,6 +82,27 @@ TEST_CASE_TEMPLATE("codes rise with the linear value, lane by lane", F, float, F
     CHECK(code == 255);
 }
 
+TEST_CASE_TEMPLATE("a colour's codes are those of its channels", F, float, Float4, Float8,
+                   Float16) {
+    using I = IntOf<F>;
+    const auto opaque = static_cast<std::int32_t>(0xFF000000U);
+    for (int code = 1; code < 256; ++code) {
+        for (int steps = -20; steps <= 20; ++steps) {
+            // In the last lane alone, all but one in turn far from doubt.
+            const auto near = neighbour(static_cast<float>(lower_end(code)), steps);
+            const F x = select(iota<I>() == I(lanes_of<F> - 1), F(near), F(0.25F));
+            const std::int32_t at = code_of<F>(near);
+            const F clear(0.5F);
+            CHECK(lane(opaque_code(x, clear, clear), lanes_of<F> - 1) ==
+                  (at | 188 << 8 | 188 << 16 | opaque));
+            CHECK(lane(opaque_code(clear, x, clear), lanes_of<F> - 1) ==
+                  (188 | at << 8 | 188 << 16 | opaque));
+            CHECK(lane(opaque_code(F(nan), F(infinity), x), lanes_of<F> - 1) ==
+                  (255 << 8 | at << 16 | opaque));
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("what is out of range is clamped", F, float, Float4, Float8, Float16) {
     for (const float black : {0.0F, -0.0F, -1.0F, 1e-40F, -infinity, nan, -nan, -1e30F}) {
         CHECK(code_of<F>(black) == 0);

@@ -1,6 +1,7 @@
 #include "framework/raster/bins.hpp"
 
 #include "framework/raster/clip.hpp"
+#include "framework/raster/lane_edges.hpp"
 #include "framework/raster/lane_vertices.hpp"
 #include "framework/geometry/mesh.hpp"
 #include "framework/math/dispatch.hpp"
@@ -52,12 +53,40 @@ typename Lanes<N>::Mask certainly_culled(const typename Lanes<N>::Int (&x)[3],
     return dead;
 }
 
+// Where small triangles cover none of the 2x2 pixels' centres from pixel x0, y0 on.
+template <int N>
+typename Lanes<N>::Mask misses_four_centres(const typename Lanes<N>::Int (&x)[3],
+                                            const typename Lanes<N>::Int (&y)[3],
+                                            typename Lanes<N>::Int x0, typename Lanes<N>::Int y0) {
+    using I = typename Lanes<N>::Int;
+    const auto turned = (x[1] - x[0]) * (y[2] - y[0]) < (x[2] - x[0]) * (y[1] - y[0]);
+    const I px = (x0 << subpixel_bits) + I(half_pixel);
+    const I py = (y0 << subpixel_bits) + I(half_pixel);
+    I outside[4] = {I(0), I(0), I(0), I(0)};  // where negative
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LaneEdge<N> edge = lane_edge<N>(x, y, turned, i, px, py);
+        const I right = edge.a << subpixel_bits;
+        const I down = edge.b << subpixel_bits;
+        outside[0] = outside[0] | edge.e;
+        outside[1] = outside[1] | (edge.e + right);
+        outside[2] = outside[2] | (edge.e + down);
+        outside[3] = outside[3] | (edge.e + right + down);
+    }
+    return (outside[0] & outside[1] & outside[2] & outside[3]) < I(0);
+}
+
 }  // namespace
 
 void TileBins::fill(const Mesh& mesh, const View& view, const Settings& settings,
                     const VertexBuffer& vertices, std::uint32_t first, std::uint32_t last) {
     const TileGrid grid = tile_grid(view);
-    window_ = {view.width, view.height, grid.columns, {0, 0}, {0, 0}, settings.cull == Cull::back};
+    window_ = {view.width,
+               view.height,
+               grid.columns,
+               {0, 0},
+               {0, 0},
+               settings.samples == 1,
+               settings.cull == Cull::back};
     for (const SampleOffset o : sample_offsets(settings.samples)) {
         window_.low = {std::min(window_.low.x, o.x), std::min(window_.low.y, o.y)};
         window_.high = {std::max(window_.high.x, o.x), std::max(window_.high.y, o.y)};
@@ -143,6 +172,10 @@ void TileBins::stage(const typename Lanes<N>::Int (&x)[3], const typename Lanes<
     }
     const M small = (right - left < I(small_extent)) & (bottom - top < I(small_extent));
     alive = alive & !certainly_culled<N>(x, y, small, window_.cull_back);
+    const M tiny = small & (x1 - x0 <= I(1)) & (y1 - y0 <= I(1));
+    if (window_.at_centres && any(alive & tiny)) {
+        alive = alive & !(tiny & misses_four_centres<N>(x, y, x0, y0));
+    }
     if (staged_ + N > staged_ref_.size()) {
         const std::size_t size = std::max<std::size_t>(2 * staged_ref_.size(), 1024);
         staged_ref_.resize(size);

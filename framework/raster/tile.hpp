@@ -77,8 +77,8 @@ struct TileBuffer {
     LineVector<std::int32_t> fragment_pixel, fragment_triangle;
     LineVector<float> fragment_x, fragment_y, fragment_share;
 
-    // The triangles that own fragments; by triangle, where its planes begin. See tile_planes.hpp.
-    LineVector<std::int32_t> owners, plane_start;
+    // By triangle: 1 where it owns fragments. Planes by group: see tile_planes.hpp.
+    LineVector<std::int32_t> owns, plane_start;
     LineVector<float> planes;
     bool anchored_at_corners = true;  // all planes of the tile
 

@@ -110,51 +110,33 @@ class FragmentList {
     std::span<const SampleOffset> offsets_;
 };
 
-// The triangles that own fragments, once each and in submission order. No branch to mispredict.
+// The owner of each run of fragments; returns how many runs there are.
 template <int N>
-class OwnerList {
+std::size_t list_runs(TileBuffer& tile, std::int32_t* run) {
     using I = typename Lanes<N>::Int;
-
-  public:
-    explicit OwnerList(TileBuffer& tile) : tile_(tile) {}
-
-    void list() {
-        const std::size_t triangles = tile_.triangles.size();
-        LineVector<std::int32_t>& owns = tile_.plane_start;
-        owns.assign(triangles + N, -1);
-        tile_.sorted_ints.resize(tile_.fragment_triangle.size());
-        std::int32_t* run = tile_.sorted_ints.data();
-        for (std::size_t i = 0, runs = list_runs(run); i < runs; ++i) {
-            owns[static_cast<std::size_t>(run[i])] = 0;
-        }
-        tile_.owners.resize(triangles + N);
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < triangles; i += N) {
-            const I triangle = iota<I>() + I(static_cast<std::int32_t>(i));
-            count += static_cast<std::size_t>(
-                store_compressed(&tile_.owners[count], load<I>(&owns[i]) == I(0), triangle));
-        }
-        tile_.owners.resize(count);
+    const auto fragments = static_cast<std::int32_t>(tile.fragments);
+    std::int32_t* owner = tile.fragment_triangle.data();
+    owner[fragments] = no_triangle;  // ends the last run
+    std::ptrdiff_t count = 0;
+    for (std::int32_t i = 0; i < fragments; i += N) {
+        const I here = load<I>(owner + i);
+        const auto last = here != load<I>(owner + i + 1);
+        const auto listed = iota<I>() < I(fragments - i);
+        count += store_compressed(run + count, last & listed, here);
     }
+    return static_cast<std::size_t>(count);
+}
 
-  private:
-    // The owner of each run of fragments; returns how many runs there are.
-    std::size_t list_runs(std::int32_t* run) const {
-        const auto fragments = static_cast<std::int32_t>(tile_.fragments);
-        std::int32_t* owner = tile_.fragment_triangle.data();
-        owner[fragments] = no_triangle;  // ends the last run
-        std::ptrdiff_t count = 0;
-        for (std::int32_t i = 0; i < fragments; i += N) {
-            const I here = load<I>(owner + i);
-            const auto last = here != load<I>(owner + i + 1);
-            const auto listed = iota<I>() < I(fragments - i);
-            count += store_compressed(run + count, last & listed, here);
-        }
-        return static_cast<std::size_t>(count);
+// Marks the triangles that own fragments. No branch to mispredict.
+template <int N>
+void mark_owners(TileBuffer& tile) {
+    tile.owns.assign(tile.triangles.size() + N, 0);
+    tile.sorted_ints.resize(tile.fragment_triangle.size());
+    std::int32_t* run = tile.sorted_ints.data();
+    for (std::size_t i = 0, runs = list_runs<N>(tile, run); i < runs; ++i) {
+        tile.owns[static_cast<std::size_t>(run[i])] = 1;
     }
-
-    TileBuffer& tile_;
-};
+}
 
 template <class V>
 void reorder(const TileBuffer& tile, LineVector<V>& values, LineVector<V>& sorted) {
@@ -196,7 +178,7 @@ void sort_by_shader(const Frame& frame, TileBuffer& tile) {
 void list_fragments(const Frame& frame, TileBuffer& tile) {
     with_lanes(frame.settings.lanes, [&]<int N>() {
         FragmentList<N>(frame, tile).list();
-        OwnerList<N>(tile).list();
+        mark_owners<N>(tile);
     });
     if (frame.shaders.size() == 1) {
         tile.shader_end.assign(1, static_cast<std::uint32_t>(tile.fragments));

@@ -24,43 +24,91 @@ class PlaneSetup {
     PlaneSetup(const Frame& frame, TileBuffer& tile) : frame_(frame), tile_(tile) {}
 
     void run() {
-        tile_.planes.clear();
         tile_.anchored_at_corners = true;
-        const std::span<const std::int32_t> owners(tile_.owners);
-        for (std::size_t begin = 0; begin < owners.size();) {
-            const Shader& shader = shader_of(owners[begin]);
-            std::size_t end = begin + 1;
-            while (end < owners.size() && end - begin < N && &shader_of(owners[end]) == &shader) {
-                ++end;
+        const std::size_t size = N * plane_values(most_varyings());  // of a group
+        float* const spare = place_groups(size);
+        for (std::size_t first = 0; first < tile_.triangles.size(); first += N) {
+            const std::uint32_t owners = owners_from(first);
+            for (std::uint32_t left = owners; left != 0;) {
+                const Shader& shader = shader_of(first + lane_of(left));
+                const std::uint32_t mine = lanes_of_shader(first, left, shader);
+                float* const planes = &tile_.planes[start_of(first)];
+                if (mine == owners) {
+                    set_up_group(first, mine, shader, planes);
+                } else {
+                    set_up_group(first, mine, shader, spare);
+                    copy_lanes(spare, size, mine, planes);
+                }
+                left &= ~mine;
             }
-            set_up_group(owners.subspan(begin, end - begin), shader);
-            begin = end;
         }
     }
 
   private:
-    const TileTriangle& triangle(std::int32_t owner) const {
-        return tile_.triangles[static_cast<std::size_t>(owner)];
+    int most_varyings() const {
+        int most = 0;
+        for (const Shader& shader : frame_.shaders) {
+            most = std::max(most, shader.varyings);
+        }
+        return most;
     }
-    const Shader& shader_of(std::int32_t owner) const {
-        return glint::shader_of(frame_, source_of(frame_, triangle(owner)));
+    // Room for each group with owners, and for one more, which is returned.
+    float* place_groups(std::size_t size) {
+        const std::size_t groups = (tile_.triangles.size() + N - 1) / N;
+        tile_.plane_start.resize(groups);
+        std::int32_t* const start = tile_.plane_start.data();
+        std::size_t used = 0;
+        for (std::size_t group = 0; group < groups; ++group) {
+            start[group] = static_cast<std::int32_t>(used);
+            used += owners_from(group * N) != 0 ? size : 0;
+        }
+        tile_.planes.resize(std::max(tile_.planes.size(), used + size));
+        return &tile_.planes[used];
+    }
+    std::size_t start_of(std::size_t first) const {
+        return static_cast<std::size_t>(tile_.plane_start[first / N]);
+    }
+    std::uint32_t owners_from(std::size_t first) const {
+        return lane_bits(load<I>(&tile_.owns[first]) == I(1));
+    }
+    static std::size_t lane_of(std::uint32_t lanes) {
+        return static_cast<std::size_t>(std::countr_zero(lanes));
+    }
+    const Shader& shader_of(std::size_t triangle) const {
+        return glint::shader_of(frame_, source_of(frame_, tile_.triangles[triangle]));
+    }
+    std::uint32_t lanes_of_shader(std::size_t first, std::uint32_t lanes,
+                                  const Shader& shader) const {
+        if (frame_.shaders.size() == 1) {
+            return lanes;
+        }
+        std::uint32_t mine = 0;
+        for (; lanes != 0; lanes &= lanes - 1) {
+            mine |= &shader_of(first + lane_of(lanes)) == &shader ? lanes & -lanes : 0;
+        }
+        return mine;
     }
 
-    // Up to N triangles of one shader.
-    void set_up_group(std::span<const std::int32_t> owners, const Shader& shader) {
-        const std::size_t start = tile_.planes.size();
-        tile_.planes.resize(start + N * plane_values(shader.varyings));
-        float* planes = &tile_.planes[start];
-        const std::uint32_t done = set_up_small(owners, shader, planes);
-        for (std::size_t lane = 0; lane < owners.size(); ++lane) {
-            const TileTriangle& t = triangle(owners[lane]);
+    static void copy_lanes(const float* from, std::size_t size, std::uint32_t lanes, float* to) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            for (std::size_t at = lane_of(lanes); at < size; at += N) {
+                to[at] = from[at];
+            }
+        }
+    }
+
+    // Those of the N triangles from first on that own fragments and have this shader.
+    void set_up_group(std::size_t first, std::uint32_t owners, const Shader& shader,
+                      float* planes) {
+        const std::uint32_t done = set_up_small(first, owners, shader, planes);
+        for (std::uint32_t left = owners; left != 0; left &= left - 1) {
+            const std::size_t lane = lane_of(left);
+            const TileTriangle& t = tile_.triangles[first + lane];
             if ((done >> lane & 1U) == 0) {
                 tile_.anchored_at_corners = false;
                 set_up_large_planes(frame_, tile_, screen_triangle(frame_, t), shader, N,
                                     planes + lane);
             }
-            tile_.plane_start[static_cast<std::size_t>(owners[lane])] =
-                static_cast<std::int32_t>(start + lane);
             std::atomic_ref(frame_.won_a_sample[source_of(frame_, t)])
                 .store(1, std::memory_order_relaxed);
         }
@@ -72,10 +120,11 @@ class PlaneSetup {
         std::array<std::uint32_t, 3 * N> vertex{};
         std::uint32_t whole = 0;  // lanes that hold a triangle
     };
-    Corners corners(std::span<const std::int32_t> owners) const {
+    Corners corners(std::size_t first, std::uint32_t owners) const {
         Corners c;
-        for (std::size_t lane = 0; lane < owners.size(); ++lane) {
-            const TriangleRef ref = triangle(owners[lane]).ref;
+        for (; owners != 0; owners &= owners - 1) {
+            const std::size_t lane = lane_of(owners);
+            const TriangleRef ref = tile_.triangles[first + lane].ref;
             if ((ref & piece_bit) != 0) {
                 continue;
             }
@@ -118,9 +167,9 @@ class PlaneSetup {
     using GroupVaryings = std::array<float, 3 * N * max_varyings + 4>;
 
     // Sets up the small triangles of a group; bit i says that it did lane i.
-    std::uint32_t set_up_small(std::span<const std::int32_t> owners, const Shader& shader,
+    std::uint32_t set_up_small(std::size_t first, std::uint32_t owners, const Shader& shader,
                                float* planes) {
-        const Corners c = corners(owners);
+        const Corners c = corners(first, owners);
         // Long before they are read, or the processor would wait until they are written.
         GroupVaryings varyings;
         shader.vertex(shader.shader, *frame_.mesh, c.vertex.data(), 3 * N, varyings.data());

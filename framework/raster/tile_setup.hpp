@@ -6,6 +6,7 @@
 // decided once, with 64 bits.
 #pragma once
 
+#include "framework/raster/lane_edges.hpp"
 #include "framework/raster/setup.hpp"
 #include "framework/raster/tile.hpp"
 
@@ -88,20 +89,14 @@ void set_up_small(const typename Lanes<N>::Int (&x)[3], const typename Lanes<N>:
         left[i] = x[i] - I(tile.x * subpixel_one);
         top[i] = y[i] - I(tile.y * subpixel_one);
     }
+    const I first_x(tile.x * subpixel_one + subpixel_one / 2);
+    const I first_y(tile.y * subpixel_one + subpixel_one / 2);
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t from = (i + 1) % 3;
-        const std::size_t to = (i + 2) % 3;
-        const I dx = left[to] - left[from];
-        const I dy = top[from] - top[to];
-        const I a = select(turned, -dy, dy);
-        const I b = select(turned, -dx, dx);
-        const M inclusive = (a > I(0)) | ((a == I(0)) & (b > I(0)));
-        const I e = a * (I(subpixel_one / 2) - left[from]) + b * (I(subpixel_one / 2) - top[from]) -
-                    select(inclusive, I(0), I(1));
-        store(out.whole[i].data(), e >> subpixel_bits);
-        store(out.rest[i].data(), e & I(subpixel_one - 1));
-        store(out.a[i].data(), a);
-        store(out.b[i].data(), b);
+        const LaneEdge<N> edge = lane_edge<N>(x, y, turned, i, first_x, first_y);
+        store(out.whole[i].data(), edge.e >> subpixel_bits);
+        store(out.rest[i].data(), edge.e & I(subpixel_one - 1));
+        store(out.a[i].data(), edge.a);
+        store(out.b[i].data(), edge.b);
     }
     const auto smallest = [](const I(&v)[3]) { return min(min(v[0], v[1]), v[2]); };
     const auto largest = [](const I(&v)[3]) { return max(max(v[0], v[1]), v[2]); };

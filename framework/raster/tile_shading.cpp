@@ -75,19 +75,15 @@ class TileShading {
             interpolate_across(triangle, n, triangles, varyings, x, y, out);
             return;
         }
-        const TrianglePlanes<N> planes(tile_, plane_start(triangle[0]));
+        const TrianglePlanes<N> planes(tile_, triangle[0]);
         interpolate_by(planes, x, y, varyings,
                        [&](int k, const T& value) { store(out + k * batch, value); });
         if (last != triangle[0]) {
-            const TrianglePlanes<N> others(tile_, plane_start(last));
+            const TrianglePlanes<N> others(tile_, last);
             interpolate_by(others, x, y, varyings, [&](int k, const T& value) {
                 store(out + k * batch, select(of_first, load<T>(out + k * batch), value));
             });
         }
-    }
-
-    std::int32_t plane_start(std::int32_t triangle) const {
-        return tile_.plane_start[static_cast<std::size_t>(triangle)];
     }
 
     // Of several triangles: one round for every two groups. Not inlined, for it would take the
@@ -95,11 +91,10 @@ class TileShading {
     [[gnu::noinline]] void interpolate_across(const std::int32_t* triangle, std::size_t n,
                                               I triangles, int varyings, T x, T y,
                                               float* out) const {
-        const I starts = gather(tile_.plane_start.data(), triangles);
-        const I place = starts & I(N - 1);
-        const I groups = starts - place;
+        const I place = triangles & I(N - 1);
+        const I groups = triangles - place;
         const auto group_of = [&](std::uint32_t lanes) {
-            return plane_start(triangle[std::countr_zero(lanes)]) & -N;
+            return triangle[std::countr_zero(lanes)] & -N;
         };
         for (std::uint32_t left = lane_bits(M(true)); left != 0;) {
             const std::int32_t first = group_of(left);

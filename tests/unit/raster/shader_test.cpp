@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glint {
@@ -151,6 +153,58 @@ TEST_CASE("varyings of every number arrive interpolated") {
     check_picture<2>();
     check_picture<3>();
     check_picture<max_varyings>();
+}
+
+// Triangles of 3 to 9 pixels, drawn over two large ones; neighbours have different materials.
+Mesh patchwork(int size) {
+    Mesh mesh;
+    const auto add = [&](glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.materials.push_back(static_cast<std::uint16_t>(mesh.triangles.size() % 3));
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+        for (const glm::vec3& corner : {a, b, c}) {
+            mesh.positions.push_back(corner);
+        }
+    };
+    const auto far = static_cast<float>(3 * size);
+    add({-9, -9, 0.1F}, {far, -9, 0.1F}, {-9, far, 0.1F});
+    for (int y = 20; y < size; y += 9) {
+        for (int x = 1; x < size; x += 7) {
+            const glm::vec3 corner(x, y, 0.5F);
+            add(corner, corner + glm::vec3(6, 1, 0), corner + glm::vec3(2, 8, 0));
+            add(corner + glm::vec3(0, 4, 0), corner + glm::vec3(3, 7, 0), corner);
+        }
+    }
+    add({-9, -9, 0.2F}, {far, -9, 0.2F}, {-9, 50, 0.2F});
+    return mesh;
+}
+
+TEST_CASE("triangles side by side may have shaders of different varyings") {
+    const Scalars<1> one;
+    const Scalars<3> three;
+    const Scalars<max_varyings> many;
+    const Shader shaders[] = {plug(one), plug(three), plug(many)};
+    constexpr int size = 150;
+    const Mesh mesh = patchwork(size);
+    for (const Settings& settings : both_rasterizers({.threads = 2})) {
+        CAPTURE(words(settings));
+        const Drawn d = draw(mesh, window_view(size, size), shaders, settings);
+        std::array<int, 3> seen{};
+        int wrong = 0;
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const auto material = mesh.materials.at(static_cast<std::size_t>(d.triangle(x, y)));
+                const Vertex v{glm::vec3(x + 0.5, y + 0.5, 0), {}, {}};
+                const Rgb<float> exact = material == 0   ? one(one.vertex(v))
+                                         : material == 1 ? three(three.vertex(v))
+                                                         : many(many.vertex(v));
+                wrong += length(exact - d.linear(x, y)) < 1e-6F * length(exact) ? 0 : 1;
+                ++seen[material];
+            }
+        }
+        CHECK(wrong == 0);
+        CHECK(*std::min_element(seen.begin(), seen.end()) > 2000);
+    }
 }
 
 struct ShowNormal {

@@ -6,6 +6,7 @@
 #include "tests/oracle/random.hpp"
 #include "tests/unit/raster/drawing.hpp"
 #include "tests/unit/raster/rays.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -91,10 +92,10 @@ struct Errors {
     int pixels = 0;
 
     void add(const Errors& e) {
-        scanline = std::max(scanline, e.scanline);
-        tiles = std::max(tiles, e.tiles);
-        naive = std::max(naive, e.naive);
-        tiles_to_bound = std::max(tiles_to_bound, e.tiles_to_bound);
+        scanline = worse(scanline, e.scanline);
+        tiles = worse(tiles, e.tiles);
+        naive = worse(naive, e.naive);
+        tiles_to_bound = worse(tiles_to_bound, e.tiles_to_bound);
         pixels += e.pixels;
     }
 };
@@ -196,7 +197,7 @@ double largest_error(double flattest, double farthest, const S& shader, Prepare&
         const Drawn drawn = draw(mesh, view, plug(shader), {});
         for_each_pixel(drawn, t, edges_of(t.v),
                        [&](int x, int y, const std::array<double, 3>& exact) {
-                           worst = std::max(worst, error_at(drawn.linear(x, y), exact, mesh));
+                           worst = worse(worst, error_at(drawn.linear(x, y), exact, mesh));
                            ++pixels;
                        });
     }

@@ -7,6 +7,7 @@
 #include "tests/pictures/lessons.hpp"
 #include "tests/pictures/random_scene.hpp"
 #include "tests/unit/raster/drawing.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,7 +38,7 @@ double colour_difference(const LinearImage& a, const LinearImage& b) {
             const double x = a.pixels()[i][c];
             const double y = b.pixels()[i][c];
             const double difference = std::abs(x - y) / std::max({1.0, std::abs(x), std::abs(y)});
-            worst = difference <= worst ? worst : difference;  // NaN counts
+            worst = worse(worst, difference);
         }
     }
     return worst;

@@ -5,11 +5,11 @@
 #include "framework/image/png.hpp"
 #include "tests/pictures/lesson_programs.hpp"
 #include "tests/unit/raster/drawing.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -46,9 +46,7 @@ double largest_difference(const LinearImage& a, const LinearImage& b) {
             const double x = a.pixels()[i][c];
             const double y = b.pixels()[i][c];
             const double difference = std::abs(x - y) / std::max({1.0, std::abs(x), std::abs(y)});
-            largest = difference <= largest ? largest
-                      : difference >= 0.0   ? difference
-                                            : std::numeric_limits<double>::infinity();
+            largest = worse(largest, difference);
         }
     }
     return largest;

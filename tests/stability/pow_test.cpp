@@ -4,6 +4,7 @@
 #include "lessons/09_normalised_phong/normalised_phong.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/stability/row.hpp"
+#include "tests/worst.hpp"
 
 #include <cmath>
 
@@ -39,7 +40,7 @@ double worst_at(double n, Power power) {
     double worst = 0;
     for (int i = 0; i < 4000; ++i) {
         const auto x = static_cast<float>(std::exp(random.real(std::log(1e-4), 0) / n));
-        worst = std::max(worst, relative(value(power(T(x), T(n))), std::pow(double{x}, n)));
+        worst = worse(worst, relative(value(power(T(x), T(n))), std::pow(double{x}, n)));
     }
     return worst;
 }

@@ -218,7 +218,7 @@ class Judge {
             for (int band = 0; band < 3; ++band) {
                 const double x = double{d.linear.pixels()[i][band]};
                 const double y = double{scanline.linear.pixels()[i][band]};
-                if (std::abs(x - y) > a.base[band] + a.share[band] * std::max(x, y)) {
+                if (!(std::abs(x - y) <= a.base[band] + a.share[band] * std::max(x, y))) {
                     return "radiance " + std::to_string(x) + ", by scanlines " + std::to_string(y) +
                            at(i);
                 }

@@ -4,6 +4,7 @@
 #include "framework/image/png.hpp"
 #include "framework/math/error.hpp"
 #include "tests/unit/app/program.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -63,7 +64,7 @@ TEST_CASE("what is written is read again") {
         REQUIRE(again.values.size() == m.values.size());
         double worst = 0;
         for (std::size_t i = 0; i < m.values.size(); ++i) {
-            worst = std::max(worst, length(again.values[i] / m.values[i] - 1.0));
+            worst = worse(worst, length(again.values[i] / m.values[i] - 1.0));
         }
         CHECK(worst < 1e-15);
     }

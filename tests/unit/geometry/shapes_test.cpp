@@ -2,6 +2,7 @@
 
 #include "framework/math/error.hpp"
 #include "tests/unit/geometry/mesh_checks.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -21,7 +22,7 @@ double worst_middle(const Mesh& mesh, const std::function<double(glm::dvec3)>& d
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::dvec3 middle =
             (corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3.0;
-        worst = std::max(worst, std::abs(distance(middle)));
+        worst = worse(worst, std::abs(distance(middle)));
     }
     return worst;
 }
@@ -37,8 +38,8 @@ double worst_vertex(const Mesh& mesh, const std::function<double(glm::dvec3)>& d
             step[k] = 1e-5;
             gradient[k] = (distance(p + step) - distance(p - step)) / 2e-5;
         }
-        worst = std::max(worst, std::abs(distance(p)));
-        worst = std::max(worst, length(gradient - glm::dvec3(mesh.normals[i])));
+        worst = worse(worst, std::abs(distance(p)));
+        worst = worse(worst, length(gradient - glm::dvec3(mesh.normals[i])));
     }
     return worst;
 }

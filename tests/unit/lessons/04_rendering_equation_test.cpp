@@ -2,6 +2,7 @@
 #include "lessons/04_rendering_equation/sky.hpp"
 #include "framework/measure/gonioreflectometer.hpp"
 #include "tests/unit/lessons/lane_value.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -35,7 +36,7 @@ double worst_error(const TwoTones& around, int count) {
     double worst = 0;
     for (const glm::vec3& N : sphere_directions(1000)) {
         const Rgb<double> exact = around.irradiance(Vec3<double>(N));
-        worst = std::max(worst, std::abs(radiance<double>(lighting, N).g / exact.g - 1));
+        worst = worse(worst, std::abs(radiance<double>(lighting, N).g / exact.g - 1));
     }
     return worst;
 }

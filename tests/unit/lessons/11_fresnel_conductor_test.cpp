@@ -1,6 +1,7 @@
 #include "lessons/11_fresnel_conductor/fresnel_conductor.hpp"
 #include "lessons/11_fresnel_conductor/metals.hpp"
 #include "tests/unit/lessons/lane_value.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,8 +41,8 @@ Worst worst_of_approximation(double ior, double k, double step = 0.05) {
         const auto near = fresnel_conductor_approximate(ior, k, c);
         const auto error = [&](auto share) { return std::abs(near.*share - exact.*share); };
         using R = Reflectances<double>;
-        worst.parallel = std::max(worst.parallel, error(&R::parallel));
-        worst.perpendicular = std::max(worst.perpendicular, error(&R::perpendicular));
+        worst.parallel = worse(worst.parallel, error(&R::parallel));
+        worst.perpendicular = worse(worst.perpendicular, error(&R::perpendicular));
         if (error(&R::unpolarised) > worst.unpolarised) {
             worst.unpolarised = error(&R::unpolarised);
             worst.degrees = degrees;
@@ -159,7 +160,7 @@ TEST_CASE("11.2 when it may be used: the worst error by ior^2 + k^2") {
         for (double turn = 0; turn <= 90; turn += 0.5) {
             const double ior = std::max(1e-6, std::sqrt(q[i]) * cos_of_degrees(turn));
             const double k = std::sqrt(q[i]) * std::sin(turn * pi / 180);
-            worst = std::max(worst, worst_of_approximation(ior, k, 0.25).unpolarised);
+            worst = worse(worst, worst_of_approximation(ior, k, 0.25).unpolarised);
         }
         CAPTURE(q[i]);
         CHECK(worst == doctest::Approx(error[i]).epsilon(0.03));

@@ -1,4 +1,5 @@
 #include "tests/unit/math/lane_types.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -292,8 +293,8 @@ TEST_CASE_TEMPLATE("reciprocal is off by less than 2 ulp, inverse_sqrt_estimate 
             const double d = static_cast<double>(x);
             const double root{lane(inverse_sqrt_estimate(F(x)), lanes_of<F> - 1)};
             const double quotient{lane(reciprocal(F(x)), lanes_of<F> - 1)};
-            worst_root = std::max(worst_root, std::abs(root * std::sqrt(d) - 1.0));
-            worst_quotient = std::max(worst_quotient, std::abs(quotient * d - 1.0));
+            worst_root = worse(worst_root, std::abs(root * std::sqrt(d) - 1.0));
+            worst_quotient = worse(worst_quotient, std::abs(quotient * d - 1.0));
             CHECK(same(lane(inverse_sqrt_estimate(F(x)), 0), inverse_sqrt_estimate(x)));
             CHECK(same(lane(reciprocal(F(-x)), 0), reciprocal(-x)));
         }

@@ -1,6 +1,7 @@
 #include "framework/math/vec.hpp"
 
 #include "tests/unit/math/lane_types.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -123,10 +124,10 @@ TEST_CASE_TEMPLATE("normalize comes within 1e-7 of the direction, and of length 
         const float t = static_cast<float>(i);
         const glm::vec3 v(std::sin(t), std::sin(1.7F * t), std::sin(0.3F * t) + 0.1F);
         const glm::dvec3 n(lane(normalize(Vec3<F>(v * std::exp2(0.001F * t))), lanes_of<F> - 1));
-        worst_length = std::max(worst_length, std::abs(glm::length(n) - 1.0));
+        worst_length = worse(worst_length, std::abs(glm::length(n) - 1.0));
         const glm::dvec3 off = n - glm::normalize(glm::dvec3(v));
         for (const double component : {off.x, off.y, off.z}) {
-            worst_component = std::max(worst_component, std::abs(component));
+            worst_component = worse(worst_component, std::abs(component));
         }
     }
     CHECK(worst_length < 1e-7);

@@ -1,6 +1,7 @@
 #include "framework/raster/shader.hpp"
 
 #include "tests/unit/raster/drawing.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -100,7 +101,7 @@ void check_scalars() {
         double worst = 0;
         for (std::size_t i = 0; i < out.size(); ++i) {
             if (i % stride < count) {
-                worst = std::max(worst, std::abs(double{out[i]} - double{expected[i]}));
+                worst = worse(worst, std::abs(double{out[i]} - double{expected[i]}));
             }
         }
         CHECK(worst < 1e-6 * N);
@@ -109,7 +110,7 @@ void check_scalars() {
     plugged.reference(&shader, in_double.data(), stride, count, reference.data());
     double worst = 0;
     for (std::size_t i = 0; i < reference.size(); ++i) {
-        worst = std::max(worst, std::abs(reference[i] - double{expected[i]}));
+        worst = worse(worst, std::abs(reference[i] - double{expected[i]}));
     }
     CHECK(worst < 1e-6 * N);
 }
@@ -139,7 +140,7 @@ void check_picture() {
                     ++covered;
                     const auto v = shader.vertex({glm::vec3(x + 0.5, y + 0.5, 0), {}, {}});
                     const Rgb<float> difference = shader(v) - d.linear(x, y);
-                    worst = std::max(worst, double{length(difference)});
+                    worst = worse(worst, double{length(difference)});
                 }
             }
         }
@@ -263,8 +264,8 @@ TEST_CASE("each triangle is shaded by the shader of its material") {
                         colours[0].colour, sixteen(decltype(sixteen)::vertex({at, {}, {}})),
                         colours[1].colour, at, colours[2].colour};
                     const Rgb<float> expected = by_material[x / 3 * 7 % 5];
-                    worst = std::max(worst, double{length(d.linear(x, y) - expected)} /
-                                                (1 + double{length(expected)}));
+                    worst = worse(worst, double{length(d.linear(x, y) - expected)} /
+                                             (1 + double{length(expected)}));
                 }
             }
             CHECK(worst < 1e-5);

@@ -12,7 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr std::size_t MB = std::size_t{1024} * 1024;
 constexpr std::uintmax_t largest_archive = 64 * MB;
 
 Ended unzip(const fs::path& folder, std::vector<std::string> arguments) {
@@ -26,10 +25,6 @@ Ended unzip(const fs::path& folder, std::vector<std::string> arguments) {
 
 bool is_pattern(const std::string& member) {
     return member.find_first_of("*?[]\\") != std::string::npos || member.starts_with("-");
-}
-
-Intake refuse(const std::string& why) {
-    return {std::nullopt, why};
 }
 
 }  // namespace

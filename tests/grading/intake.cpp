@@ -11,10 +11,6 @@
 namespace glint::grading {
 namespace {
 
-Intake refuse(const std::string& why) {
-    return {std::nullopt, why};
-}
-
 // Never waits, as opening a FIFO would.
 constexpr int carefully = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
 

@@ -12,6 +12,10 @@ struct Intake {
     std::string objection;  // why there is none; empty where there is no such file
 };
 
+inline Intake refuse(const std::string& why) {
+    return {std::nullopt, why};
+}
+
 inline constexpr std::size_t largest_submission = std::size_t{256} * 1024;
 
 // The file at a path below the folder, or the folder itself where that is empty. No part of the

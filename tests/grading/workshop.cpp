@@ -21,9 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr std::size_t KB = 1024;
-constexpr std::size_t MB = 1024 * KB;
-
 constexpr Limits compile_limits{10s, 30s, 2048 * MB, 64 * MB, 16 * MB, 0, 64 * KB};
 constexpr Limits run_limits{2s, 6s, 512 * MB, 8 * MB, 0, 16 * MB, 256 * KB};
 

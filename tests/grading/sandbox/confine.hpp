@@ -10,6 +10,9 @@
 
 namespace glint::grading {
 
+inline constexpr std::size_t KB = 1024;
+inline constexpr std::size_t MB = 1024 * KB;
+
 struct Limits {
     std::chrono::milliseconds processor, wall;
     std::size_t memory, stack, file_size;  // bytes; of each process

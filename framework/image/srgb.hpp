@@ -145,8 +145,10 @@ template <class F>
     const I red = srgb::code_and_fraction(r);
     const I green = srgb::code_and_fraction(g);
     const I blue = srgb::code_and_fraction(b);
-    if (any(srgb::is_doubtful(red) | srgb::is_doubtful(green) | srgb::is_doubtful(blue)))
-        [[unlikely]] {
+    const auto doubt_r = srgb::is_doubtful(red);
+    const auto doubt_g = srgb::is_doubtful(green);
+    const auto doubt_b = srgb::is_doubtful(blue);
+    if (any(doubt_r | doubt_g | doubt_b)) [[unlikely]] {
         return srgb::exact_codes(r, g, b) | opaque;
     }
     return ((red >> 12) & I(0xff)) | ((green >> 4) & I(0xff00)) | ((blue << 4) & I(0xff0000)) |

@@ -198,8 +198,12 @@ inline void store_rows(float* to, const Rows<Floats<16>>& columns) {
 inline void store_streaming(std::int32_t* to, Ints<16> a) {
     _mm512_stream_si512(reinterpret_cast<__m512i*>(to), a);
 }
+// The empty asm keeps GCC 12 from folding the widening into the comparison: spilled, that would
+// store 16 bits and load 32.
 inline std::uint32_t lane_bits(Bools<16> m) {
-    return static_cast<std::uint32_t>(m.data);
+    __mmask16 mask = m.data;
+    asm("" : "+k"(mask));
+    return mask;
 }
 inline int store_compressed(std::int32_t* to, std::uint32_t lanes, Ints<16> a) {
     _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(lanes), a));

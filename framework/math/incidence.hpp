@@ -10,11 +10,17 @@ namespace glint {
 template <Real T>
 struct Incidence {
     T NL, NV, LV;
+    // sin^2 of the angle from N to L + V, whose length squared is 2 + 2 L.V. It follows from the
+    // cosines; but where it is small they have lost it, if they are float. 0 where L = -V.
+    T sin2_half = max(T(2.0F) + T(2.0F) * LV - (NL + NV) * (NL + NV), T(0.0F)) /
+                  max(T(2.0F) + T(2.0F) * LV, T(1e-20F));
 };
 
 template <Real T>
 Incidence<T> incidence(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V) {
-    return {dot(N, L), dot(N, V), dot(L, V)};
+    const Vec3<T> sum = L + V;
+    const Vec3<T> across = cross(N, sum);
+    return {dot(N, L), dot(N, V), dot(L, V), dot(across, across) / max(dot(sum, sum), T(1e-20F))};
 }
 
 // V.R, where R = 2 (N.L) N - L is the mirror direction of L. Symmetric in L and V.

@@ -1,7 +1,6 @@
 #include "lessons/04_rendering_equation/rendering_equation.hpp"
 #include "lessons/07_measured_brdf/capture.hpp"
 #include "framework/app/lesson.hpp"
-#include "framework/scene/false_colour.hpp"
 #include "framework/geometry/shapes.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -64,9 +63,10 @@ struct TableAndTruth {
         if (!shows_error) {
             return radiance;
         }
-        const T off = abs(radiance.g - truth(in).g);
+        const Rgb<T> difference = radiance - truth(in);
+        const Rgb<T> off{abs(difference.r), abs(difference.g), abs(difference.b)};
         note("error of the radiance", off);
-        return false_colour(log2(T(1.0F) + 100.0F * off) / log2(T(101.0F)));  // 0.1 is half way
+        return off;
     }
 };
 

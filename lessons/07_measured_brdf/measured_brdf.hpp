@@ -8,17 +8,17 @@
 #pragma once
 
 #include "lessons/07_measured_brdf/brdf_table.hpp"
-#include "framework/math/acos.hpp"
+#include "framework/math/angle.hpp"
 #include "framework/math/incidence.hpp"
 
 #include <memory>
 
 namespace glint {
 
-// The angle of this cosine, 0..1 for 0 to 90 degrees.
+// The angle of this cosine and this sine squared, 0..1 for 0 to 90 degrees.
 template <Real T>
-T share_of_right_angle(const T& cosine) {
-    return acos(clamp(cosine, T(0.0F), T(1.0F))) * T(2 / std::numbers::pi);
+T share_of_right_angle(const T& cosine, const T& sin2) {
+    return acute_angle(cosine, sin2) * T(2 / std::numbers::pi);
 }
 
 // Where two directions are in the table, 0..1 on each axis.
@@ -30,15 +30,17 @@ Vec3<T> place_in_table(const Incidence<T>& g) {
     // HANDOUT
     // const T NH = max(g.NL, g.NV);  // TODO 07.1: H is half way between L and V
     // END
+    const T theta_half = share_of_right_angle(NH, g.sin2_half);
     // N.V - N.L = 2 sin(theta_half) sin(theta_difference) cos(phi_difference)
-    const T sines = sqrt(max((T(1.0F) - NH * NH) * (T(2.0F) - 2.0F * g.LV), T(1e-20F)));
-    const T phi = share_of_right_angle(abs(g.NV - g.NL) / sines);
+    const T sines = sqrt(max(g.sin2_half * (T(2.0F) - 2.0F * g.LV), T(1e-20F)));
+    const T cos_phi = min(abs(g.NV - g.NL) / sines, T(1.0F));
+    const T phi = share_of_right_angle(cos_phi, T(1.0F) - cos_phi * cos_phi);
     // SOLUTION 07.2
-    const T stretched = sqrt(share_of_right_angle(NH));  // highlights are where it is small
+    const T stretched = sqrt(theta_half);  // highlights are where it is small
     // HANDOUT
-    // const T stretched = share_of_right_angle(NH);  // TODO 07.2: the table has its square root
+    // const T stretched = theta_half;  // TODO 07.2: the table has its square root
     // END
-    return {stretched, share_of_right_angle(LH), phi};
+    return {stretched, share_of_right_angle(LH, T(0.5F) - T(0.5F) * g.LV), phi};
 }
 
 struct MeasuredBrdf {

@@ -1,6 +1,7 @@
 #include "lessons/03_brdf/brdf.hpp"
 #include "lessons/07_measured_brdf/capture.hpp"
 #include "tests/unit/lessons/lane_value.hpp"
+#include "tests/worst.hpp"
 
 #include <doctest/doctest.h>
 
@@ -70,6 +71,26 @@ TEST_CASE("07.1 and 07.2 the place by cosines is the place by vectors") {
         REQUIRE(std::abs(place.y - a.difference / right) < 1e-7);
         REQUIRE(std::abs(place.z - azimuth / right) < 1e-4);  // ill-conditioned where L is near V
     }
+}
+
+TEST_CASE_TEMPLATE("the smallest theta_half are told apart", T, float, Float4, Float8, Float16) {
+    double worst = 0;
+    double worst_by_cosines = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const double half = right * std::exp2(-4 - i / 200.0);  // from 5.6 to 0.005 degrees
+        const Direction L = direction(0.7 + half, 0.3 * i);
+        const Direction V = direction(0.7 - half, 0.3 * i + pi);
+        const Vec3<float> l(L);
+        const Vec3<float> v(V);
+        const auto exact = place_in_table(
+            incidence(Direction(0, 0, 1), Direction(l), Direction(v)));  // of the same directions
+        const auto g = incidence(Vec3<T>(T(0.0F), T(0.0F), T(1.0F)), Vec3<T>(l), Vec3<T>(v));
+        worst = worse(worst, std::abs(value(place_in_table(g).x) - exact.x));
+        const auto by_cosines = place_in_table(Incidence<T>{g.NL, g.NV, g.LV});
+        worst_by_cosines = worse(worst_by_cosines, std::abs(value(by_cosines.x) - exact.x));
+    }
+    CHECK(worst < 1e-5);
+    CHECK(worst_by_cosines > 1e-3);  // why there is a fourth number
 }
 
 TEST_CASE("the directions of a cell are found in it again") {

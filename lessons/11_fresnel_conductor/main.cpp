@@ -2,7 +2,6 @@
 #include "lessons/11_fresnel_conductor/fresnel_conductor.hpp"
 #include "lessons/11_fresnel_conductor/metals.hpp"
 #include "framework/app/lesson.hpp"
-#include "framework/scene/false_colour.hpp"
 #include "framework/scene/stages.hpp"
 
 namespace {
@@ -53,7 +52,7 @@ struct Shown : Polished<Conductor> {
         const T cosine = dot(N, normalize(beneath.eye - in.position));
         const Rgb<T> truth = Conductor{reflectance.ior, reflectance.k, exact}(cosine);
         const Rgb<T> off = reflectance(cosine) - truth;
-        return false_colour(max(abs(off.r), max(abs(off.g), abs(off.b))) / worst);
+        return Rgb<T>(abs(off.r), abs(off.g), abs(off.b)) / worst;
     }
 };
 
@@ -65,7 +64,7 @@ int main(int argc, char** argv) {
         {.name = "11_fresnel_conductor",
          .title =
              "Lesson 11: metals by Fresnel's exact formula, by the approximation, and its error",
-         .parameters = {{"worst", 0.01F, 1e-6F, 1, "the error that is drawn as the brightest"}},
+         .parameters = {{"worst", 0.05F, 1e-6F, 1, "the error that is drawn as the brightest"}},
          .stage = spheres,
          .shaders = shade_each_material([](const Scene& s, const Material& m, const Parameters& p) {
              const auto place = static_cast<std::size_t>(&m - s.materials.data());

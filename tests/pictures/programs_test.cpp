@@ -16,29 +16,20 @@
 namespace glint {
 namespace {
 
-// How far colours may differ: 1e-5, but where a picture shows roundings enlarged. A highlight of
-// exponent n enlarges those of V.R n times; false colours show an error scaled. A sum of products
-// is rounded twice as often where the processor cannot fuse it.
+// How far colours may differ: 1e-5, but in a highlight of exponent n, which enlarges the roundings
+// of V.R n times.
 double allowed(const std::string& lesson) {
-#if defined(__ARM_NEON)
-    const double of_cosine = 0x1p-23;  // two units in the last place of what is near 1
-#else
+#if defined(__FMA__)
     const double of_cosine = 1e-7;
-#endif
-    const std::map<std::string, double> more = {
-        {"01_ad_hoc_phong", 120 * of_cosine},
-        {"07_measured_brdf", 3e-4},  // the table's error, 22 times; colours change twice as fast
-        {"09_normalised_phong", 2048 * of_cosine},
-        {"11_fresnel_conductor", 3e-5},  // the approximation's error of values near 1, 100 times
-        {"17_speed_and_accuracy", 120.5 * of_cosine},
-    };
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
-    const double roundings = 1;
 #else
-    const double roundings = 2;
+    const double of_cosine = 0x1p-23;  // two units in the last place of what is near 1
 #endif
-    const auto found = more.find(lesson);
-    return roundings * (found == more.end() ? 1e-5 : found->second);
+    const std::map<std::string, double> exponents = {{"01_ad_hoc_phong", 120},
+                                                     {"07_measured_brdf", 120},
+                                                     {"09_normalised_phong", 2048},
+                                                     {"17_speed_and_accuracy", 120.5}};
+    const auto found = exponents.find(lesson);
+    return found == exponents.end() ? 1e-5 : found->second * of_cosine;
 }
 
 // By how much a pixel differs at most, relative where it is above 1; infinity for NaN.

@@ -73,7 +73,7 @@ TEST_CASE("07.1 and 07.2 the place by cosines is the place by vectors") {
     }
 }
 
-TEST_CASE_TEMPLATE("the smallest theta_half are told apart", T, float, Float4, Float8, Float16) {
+TEST_CASE_TEMPLATE("the smallest theta_half are told apart", T, float, ALL_LANES) {
     double worst = 0;
     double worst_by_cosines = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -241,7 +241,7 @@ TEST_CASE("what should be alike is averaged, and an odd count cannot be") {
                          Error);
 }
 
-TEST_CASE_TEMPLATE("07 in every number type", T, float, Float4, Float8, Float16) {
+TEST_CASE_TEMPLATE("07 in every number type", T, float, ALL_LANES) {
     for (const int size : {1, 2, 30}) {
         const MeasuredBrdf table = measured(paint(20), size);
         for (const Incidence<double>& g : pairs(2000)) {
@@ -272,7 +272,7 @@ TEST_CASE("07 every lane looks up its own place") {
     }
 }
 
-TEST_CASE_TEMPLATE("07 at its ends", T, float, double, Float4, Float8, Float16) {
+TEST_CASE_TEMPLATE("07 at its ends", T, float, double, ALL_LANES) {
     const MeasuredBrdf table = measured(paint(20), 16);
     const auto at = [&](double NL, double NV, double LV) {
         return value(table(Incidence<T>{T(NL), T(NV), T(LV)}).g);

@@ -95,7 +95,7 @@ TEST_CASE("what the mistake does: too bright by factors, and pale") {
     CHECK(srgb_encode(0.71) / 0.71 == doctest::Approx(1.21).epsilon(0.005));  // gold's green
 }
 
-TEST_CASE_TEMPLATE("F0 as a colour in every number type", T, float, Float4, Float8, Float16) {
+TEST_CASE_TEMPLATE("F0 as a colour in every number type", T, float, ALL_LANES) {
     for (const SpecularColour& c : specular_colours) {
         for (const float cosine : {0.0F, 1e-8F, 0.3F, 1.0F}) {
             const Rgb<T> F = schlick(Rgb<T>(c.F0), T(cosine));

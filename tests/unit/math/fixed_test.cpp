@@ -9,8 +9,7 @@
 namespace glint {
 namespace {
 
-TEST_CASE_TEMPLATE("snap rounds to the nearest 1/256 pixel, ties to even", F, float, Float4, Float8,
-                   Float16) {
+TEST_CASE_TEMPLATE("snap rounds to the nearest 1/256 pixel, ties to even", F, float, ALL_LANES) {
     const auto snapped = [](float x) { return lane(snap(F(x)), lanes_of<F> - 1); };
     CHECK(snapped(0.0F) == 0);
     CHECK(snapped(1.0F) == 256);

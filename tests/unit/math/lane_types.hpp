@@ -16,6 +16,15 @@ using Float4 = Float<4>;
 using Float8 = Float<std::min(8, max_lanes)>;
 using Float16 = Float<std::min(16, max_lanes)>;
 
+// For TEST_CASE_TEMPLATE: the widths that this build has, each once.
+#if XSIMD_WITH_AVX512BW
+#define ALL_LANES Float4, Float8, Float16
+#elif XSIMD_WITH_FMA3_AVX2
+#define ALL_LANES Float4, Float8
+#else
+#define ALL_LANES Float4
+#endif
+
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 

@@ -50,7 +50,7 @@ TEST_CASE("the studio lights every direction, in grey, most from the lamps") {
     CHECK(Studio{.room = 2, .pool = 1, .lamps = 0}(studio_lamps[0].towards).g < 1);
 }
 
-TEST_CASE_TEMPLATE("the studio is the same on many lanes", T, double, Float4, Float8, Float16) {
+TEST_CASE_TEMPLATE("the studio is the same on many lanes", T, double, ALL_LANES) {
     for (int i = 0; i < 100; ++i) {
         const float turn = 0.0628F * static_cast<float>(i);
         const glm::vec3 d =

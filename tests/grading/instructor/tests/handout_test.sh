@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds the students' tree as a student does: its lessons draw from skeletons, tests of the framework
 # pass, and its grader gives skeletons nothing. Files that the handout leaves as they are were
-# compiled for the instructor's tree, so one test does, and few lanes, which are soon built.
+# compiled for the instructor's tree, so one test does, and few lanes in few units, which are soon
+# built.
 #
 #   handout_test.sh PROGRAM   the program is handout
 set -euo pipefail
@@ -17,7 +18,7 @@ cd "$scratch"
 few_lanes=()
 [[ $(uname -m) != x86_64 ]] || few_lanes=(-DGLINT_ARCH=x86-64-v2)
 cmake -S course -B build -G Ninja -DGLINT_WERROR=ON -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_CXX_FLAGS_DEBUG=-O1 "${few_lanes[@]}" >/dev/null
+  -DCMAKE_CXX_FLAGS_DEBUG=-O1 -DCMAKE_UNITY_BUILD=ON "${few_lanes[@]}" >/dev/null
 cmake --build build --target lessons grade unit_scene >build.log || wrong "$(tail -n 40 build.log)"
 
 for main in course/lessons/[0-9][0-9]_*/main.cpp; do

@@ -196,9 +196,9 @@ TEST_CASE("triangles side by side may have shaders of different varyings") {
             for (int x = 0; x < size; ++x) {
                 const auto material = mesh.materials.at(static_cast<std::size_t>(d.triangle(x, y)));
                 const Vertex v{glm::vec3(x + 0.5, y + 0.5, 0), {}, {}};
-                const Rgb<float> exact = material == 0   ? one(one.vertex(v))
-                                         : material == 1 ? three(three.vertex(v))
-                                                         : many(many.vertex(v));
+                const Rgb<float> exact = material == 0   ? one(Scalars<1>::vertex(v))
+                                         : material == 1 ? three(Scalars<3>::vertex(v))
+                                                         : many(Scalars<max_varyings>::vertex(v));
                 wrong += length(exact - d.linear(x, y)) < 1e-6F * length(exact) ? 0 : 1;
                 ++seen[material];
             }

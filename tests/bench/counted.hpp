@@ -3,7 +3,7 @@
 // count one each, a fused multiply-add two; comparisons and integers are not counted.
 #pragma once
 
-#include "framework/math/vec.hpp"
+#include "framework/math/incidence.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -72,6 +72,13 @@ struct Companions<Counted> {
     using Int = std::int32_t;
     using Mask = Counted::Answer;
 };
+
+// Without the sine, which compilers leave out where nobody asks for it.
+template <>
+inline Incidence<Counted> incidence(const Vec3<Counted>& N, const Vec3<Counted>& L,
+                                    const Vec3<Counted>& V) {
+    return {dot(N, L), dot(N, V), dot(L, V), Counted(0.0F)};
+}
 
 }  // namespace glint
 

@@ -16,6 +16,7 @@ struct Incidence {
                   max(T(2.0F) + T(2.0F) * LV, T(1e-20F));
 };
 
+// Of vectors of unit length. The sine is made of them, not of their cosines.
 template <Real T>
 Incidence<T> incidence(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V) {
     const Vec3<T> sum = L + V;

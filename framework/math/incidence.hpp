@@ -6,29 +6,43 @@
 namespace glint {
 
 // The cosines between the surface normal N, the direction towards the light L and the direction
-// towards the viewer V, all of unit length. An isotropic BRDF depends on nothing else.
+// towards the viewer V, all of unit length. An isotropic BRDF depends on nothing else. What follows
+// from them is made of the vectors all the same: of what is nearly 1 or nearly 0, float cosines
+// have lost what counts.
 template <Real T>
 struct Incidence {
     T NL, NV, LV;
-    // sin^2 of the angle from N to L + V, whose length squared is 2 + 2 L.V. It follows from the
-    // cosines; but where it is small they have lost it, if they are float. 0 where L = -V.
-    T sin2_half = max(T(2.0F) + T(2.0F) * LV - (NL + NV) * (NL + NV), T(0.0F)) /
-                  max(T(2.0F) + T(2.0F) * LV, T(1e-20F));
+    T VR = T(2.0F) * NL * NV - LV;  // with R = 2 (N.L) N - L, the mirror direction of L
+    T along2 = max(T(2.0F) + T(2.0F) * LV - (NL + NV) * (NL + NV), T(0.0F));  // |N x (L + V)|^2
 };
 
-// Of vectors of unit length. The sine is made of them, not of their cosines.
+// Of vectors of unit length. V.R as 1 - |V - R|^2/2: near 1, where highlights raise it to high
+// powers, it is rounded once, and errors of the directions count with |V - R| only; never above 1.
 template <Real T>
 Incidence<T> incidence(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V) {
-    const Vec3<T> sum = L + V;
-    const Vec3<T> across = cross(N, sum);
-    return {dot(N, L), dot(N, V), dot(L, V), dot(across, across) / max(dot(sum, sum), T(1e-20F))};
+    const T NL = dot(N, L);
+    const T NV = dot(N, V);
+    const Vec3<T> along = L + V - (NL + NV) * N;
+    const T along2 = dot(along, along);
+    return {NL, NV, dot(L, V), T(1.0F) - T(0.5F) * (along2 + (NL - NV) * (NL - NV)), along2};
 }
 
-// V.R, where R = 2 (N.L) N - L is the mirror direction of L. Symmetric in L and V.
-// Rounding can take it beyond 1 by a few units in the last place.
+// V.R. Symmetric in L and V.
 template <Real T>
 T v_dot_r(const Incidence<T>& g) {
+    return g.VR;
+}
+
+// The same by the cosines, as it is defined: cheaper, off by up to 2^-22.
+template <Real T>
+T v_dot_r_by_cosines(const Incidence<T>& g) {
     return T(2.0F) * g.NL * g.NV - g.LV;
+}
+
+// sin^2 of the angle from N to L + V, whose length squared is 2 + 2 L.V. 0 where L = -V.
+template <Real T>
+T sin2_half(const Incidence<T>& g) {
+    return g.along2 / max(T(2.0F) + T(2.0F) * g.LV, T(1e-20F));
 }
 
 // L.H = V.H, where H = normalize(L + V) is half way between them: the cosine of half their angle,

@@ -135,27 +135,18 @@ glm::vec<L, T> max(const glm::vec<L, T>& a, const glm::vec<L, T>& b) {
     return r;
 }
 
-// v scaled to length 1 by an estimate of 1/|v|. The step of Newton's iteration that mends it looks
-// at the scaled vector, which mends too what |v|^2 lost by rounding: a highlight of exponent n
-// shows an error of the normal's length 4 n times.
+// v scaled to length 1 by an estimate of 1/|v|, which a step of Newton's iteration mends.
 template <int L, Real T>
-glm::vec<L, T> scaled_to_one(const glm::vec<L, T>& v, const T& estimate) {
-    glm::vec<L, T> r = v * estimate;
-    T missing(1.0F);
-    for (int i = 0; i < L; ++i) {
-        missing = fma(-r[i], r[i], missing);
-    }
-    const T half = missing * T(0.5F);
-    for (int i = 0; i < L; ++i) {
-        r[i] = fma(r[i], half, r[i]);
-    }
-    return r;
+glm::vec<L, T> scaled_to_one(const glm::vec<L, T>& v, const T& square, const T& estimate) {
+    const T missing = fma(-(square * estimate), estimate, T(1.0F));
+    return v * fma(missing * T(0.5F), estimate, estimate);
 }
 
 // As GLM's, which asks for a root and a quotient: v scaled to length 1, NaN where v is zero.
 template <int L, Real T>
 glm::vec<L, T> normalize(const glm::vec<L, T>& v) {
-    return scaled_to_one(v, inverse_sqrt_estimate(dot(v, v)));
+    const T square = dot(v, v);
+    return scaled_to_one(v, square, inverse_sqrt_estimate(square));
 }
 
 // v scaled to length 1; fallback where v is zero, not finite, or so short or long that the square
@@ -166,7 +157,7 @@ Vec3<T> normalize_or(const Vec3<T>& v, const Vec3<T>& fallback) {
     constexpr auto most = std::numeric_limits<T>::max();
     const T square = dot(v, v);
     const MaskOf<T> usable = (square >= T(least)) & (square <= T(most));
-    return select(usable, scaled_to_one(v, inverse_sqrt_estimate(square)), fallback);
+    return select(usable, scaled_to_one(v, square, inverse_sqrt_estimate(square)), fallback);
 }
 
 }  // namespace glint

@@ -34,7 +34,8 @@ Vec3<T> mirrored(const Vec3<T>& N, const Vec3<T>& L) {
 // (V.R)^n; 0 where the light is below the horizon or the mirror direction looks away from V.
 template <Real T>
 T highlight(const Vec3<T>& N, const Vec3<T>& L, const Vec3<T>& V, const T& n) {
-    const T cosine = clamp(dot(V, mirrored(N, L)), 0.0F, 1.0F);
+    const Vec3<T> apart = V - mirrored(N, L);
+    const T cosine = clamp(1.0F - 0.5F * dot(apart, apart), 0.0F, 1.0F);  // V.R, but near 1 exact
     // SOLUTION 01.3
     const auto seen = (dot(N, L) > T(0.0F)) & (cosine > T(0.0F));
     return select(MaskOf<T>(seen), pow(cosine, n), T(0.0F));

@@ -14,7 +14,7 @@ namespace glint {
 template <Real T>
 Incidence<T> swapped(const Incidence<T>& g) {
     // SOLUTION 05.1
-    return {g.NV, g.NL, g.LV};
+    return {g.NV, g.NL, g.LV, g.VR, g.along2};
     // HANDOUT
     // return g;  // TODO 05.1: what were N.L and N.V is now N.V and N.L
     // END

@@ -37,10 +37,10 @@ class AlbedoCurve {
     std::array<float, steps + 1> at_{};
 };
 
-// A share as a false colour; above 1 it changes to the warning colour within 1/steepness, which
-// should take a pixel or so.
+// A share as a false colour; above 1 it changes to the warning colour within 1/steepness. A steep
+// edge shows roundings.
 template <Real T>
-Rgb<T> colour_of_share(const T& share, float steepness = 1000) {
+Rgb<T> colour_of_share(const T& share, float steepness) {
     const T above = clamp((share - T(1.0001F)) * steepness, T(0.0F), T(1.0F));
     return mix(false_colour(min(share, T(1.0F))), false_colour(T(2.0F)), Rgb<T>(above));
 }

@@ -30,9 +30,9 @@ Vec3<T> place_in_table(const Incidence<T>& g) {
     // HANDOUT
     // const T NH = max(g.NL, g.NV);  // TODO 07.1: H is half way between L and V
     // END
-    const T theta_half = share_of_right_angle(NH, g.sin2_half);
+    const T theta_half = share_of_right_angle(NH, sin2_half(g));
     // N.V - N.L = 2 sin(theta_half) sin(theta_difference) cos(phi_difference)
-    const T sines = sqrt(max(g.sin2_half * (T(2.0F) - 2.0F * g.LV), T(1e-20F)));
+    const T sines = sqrt(max(sin2_half(g) * (T(2.0F) - 2.0F * g.LV), T(1e-20F)));
     const T cos_phi = min(abs(g.NV - g.NL) / sines, T(1.0F));
     const T phi = share_of_right_angle(cos_phi, T(1.0F) - cos_phi * cos_phi);
     // SOLUTION 07.2

@@ -34,7 +34,8 @@ struct Instruments {
         note("N.V", g.NV);
         note(reciprocity ? "reciprocity error" : "total albedo", share);
         const Rgb<T> unlit(T(0.03F));
-        return mix(unlit, colour_of_share(share), Rgb<T>(clamp(g.NL * 100.0F, T(0.0F), T(1.0F))));
+        const T lit = clamp(g.NL * 100.0F, T(0.0F), T(1.0F));
+        return mix(unlit, colour_of_share(share, 80), Rgb<T>(lit));
     }
 };
 

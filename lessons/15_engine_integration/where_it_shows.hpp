@@ -45,7 +45,7 @@ struct WhereItShows {
     Rgb<T> operator()(const Incidence<T>& g) const {
         const Rgb<T> f0(phong.F0);
         Rgb<T> f = diffuse_by_f0(Rgb<T>(phong.Cd), f0);
-        const MaskOf<T> shows = v_dot_r(g) > T(highlight_from);
+        const MaskOf<T> shows = v_dot_r_by_cosines(g) > T(highlight_from);
         if (any(shows)) {
             f = select(shows, f + specular_by_angle(f0, T(phong.n), g), f);
         }

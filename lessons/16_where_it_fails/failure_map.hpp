@@ -98,7 +98,7 @@ struct Plot {
         const T pale = clamp((in.share - T(1.0F)) * 2.0F, T(0.0F), T(1.0F));
         note("share", in.share);
         return line ? Rgb<T>(T(0.02F))
-                    : mix(colour_of_share(in.share), Rgb<T>(T(1.0F)), Rgb<T>(pale));
+                    : mix(colour_of_share(in.share, 80), Rgb<T>(T(1.0F)), Rgb<T>(pale));
     }
 };
 

@@ -57,11 +57,11 @@ struct ThriftyPhong {
     template <Real T>
     Rgb<T> operator()(const Incidence<T>& g) const {
         const Rgb<T> diffuse = diffuse_by_f0(Rgb<T>(surface.Cd), Rgb<T>(surface.F0));
-        const T cosine = clamp(v_dot_r(g), T(1e-37F), T(1.0F));
-        const MaskOf<T> shows = cosine > T(highlight_from);
+        const MaskOf<T> shows = v_dot_r_by_cosines(g) > T(highlight_from);
         if (!any(shows)) {
             return diffuse;
         }
+        const T cosine = clamp(v_dot_r(g), T(1e-37F), T(1.0F));
         const T n(surface.n);
         const T lobe = few_terms ? short_pow(cosine, n) : phong_lobe(g, n);
         const Rgb<T> highlight =

@@ -73,11 +73,11 @@ struct Companions<Counted> {
     using Mask = Counted::Answer;
 };
 
-// Without the sine, which compilers leave out where nobody asks for it.
+// V.R by the cosines alone; the better one is computed only where a highlight shows.
 template <>
 inline Incidence<Counted> incidence(const Vec3<Counted>& N, const Vec3<Counted>& L,
                                     const Vec3<Counted>& V) {
-    return {dot(N, L), dot(N, V), dot(L, V), Counted(0.0F)};
+    return {dot(N, L), dot(N, V), dot(L, V), Counted(0.0F), Counted(0.0F)};
 }
 
 }  // namespace glint

@@ -154,8 +154,8 @@ TEST_CASE("V.R a hair above 1") {
                     normalize_or(vec<T>(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)),
                                  vec<T>(0, 0, 1));
                 const Incidence<T> g = incidence(N, N, N);
-                add(worst,
-                    {value(pow(v_dot_r(g), T(1e6F))) - 1, value(phong_lobe(g, T(1e6F))) - 1});
+                add(worst, {value(pow(v_dot_r_by_cosines(g), T(1e6F))) - 1,
+                            value(phong_lobe(g, T(1e6F))) - 1});
             }
             return worst;
         }),

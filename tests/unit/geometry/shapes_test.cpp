@@ -232,7 +232,7 @@ TEST_CASE("a plane faces up and has its texture upright") {
     CHECK(mesh.triangles.size() == 30);
     CHECK(topology(mesh).borders == 1);
     CHECK(topology(mesh).euler() == 1);
-    CHECK(least_agreement(mesh) == 1.0);
+    CHECK(least_agreement(mesh) > 1.0 - 2e-7);
     CHECK(mesh.normals.front() == glm::vec3(0, 1, 0));
     CHECK(mesh.positions.front() == glm::vec3(-2, 0, 1));
     CHECK(mesh.uvs.front() == glm::vec2(0, 0));

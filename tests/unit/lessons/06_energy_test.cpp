@@ -103,9 +103,9 @@ TEST_CASE("the curve is the measured one, for light or viewer fixed") {
 
 TEST_CASE("above 1 a share has the warning colour, at 1 it has not") {
     const Rgb<double> warning = false_colour(2.0);
-    CHECK(colour_of_share(1.0) == false_colour(1.0));
-    CHECK(colour_of_share(1.01) == warning);
-    CHECK(colour_of_share(0.25) == false_colour(0.25));
+    CHECK(colour_of_share(1.0, 40) == false_colour(1.0));
+    CHECK(colour_of_share(1.01, 1000) == warning);
+    CHECK(colour_of_share(0.25, 40) == false_colour(0.25));
     CHECK(colour_of_share(1.01, 40) != warning);
     CHECK(colour_of_share(1.03, 40) == warning);
 }

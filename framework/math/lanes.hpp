@@ -154,4 +154,13 @@ inline int store_compressed(std::int32_t* to, bool m, std::int32_t a) {
     return m ? 1 : 0;
 }
 
+// The same of the lanes whose bits are set, none beyond the width.
+template <int N>
+int store_lanes(std::int32_t* to, std::uint32_t lanes, Int<N> a) {
+    return simd::store_compressed(to, lanes, a.v);
+}
+inline int store_lanes(std::int32_t* to, std::uint32_t lanes, std::int32_t a) {
+    return store_compressed(to, lanes != 0, a);
+}
+
 }  // namespace glint

@@ -17,7 +17,8 @@
 
 namespace glint {
 
-inline constexpr int block_size = 4;
+inline constexpr int block_bits = 2;
+inline constexpr int block_size = 1 << block_bits;
 inline constexpr int block_pixels = block_size * block_size;
 inline constexpr int tile_blocks = tile_size / block_size;  // a row
 inline constexpr int tile_pixels = tile_size * tile_size;

@@ -1,5 +1,7 @@
 // Stage 3 of the tile rasterizer: depth and owner of every sample of a tile.
 #include "framework/raster/lane_vertices.hpp"
+#include "framework/raster/large_coverage.hpp"
+#include "framework/raster/small_coverage.hpp"
 #include "framework/raster/tile.hpp"
 #include "framework/raster/tile_setup.hpp"
 #include "framework/geometry/mesh.hpp"
@@ -11,155 +13,6 @@
 
 namespace glint {
 namespace {
-
-constexpr std::int32_t block_columns[block_pixels] = {0, 1, 2, 3, 0, 1, 2, 3,
-                                                      0, 1, 2, 3, 0, 1, 2, 3};
-constexpr std::int32_t block_rows[block_pixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-
-// One triangle over the samples of one kind (one offset) of a tile. Blocks and pixels count from
-// the first block that the triangle may cover.
-template <int N>
-class Coverage {
-    using T = typename Lanes<N>::Float;
-    using I = typename Lanes<N>::Int;
-    using M = typename Lanes<N>::Mask;
-    static constexpr int parts = block_pixels / N;  // registers a block
-
-  public:
-    Coverage(const TileSetup<N>& t, const SampleSetup<N>& sample, std::size_t lane)
-        : first_column_(t.x0[lane] / block_size),
-          first_row_(t.y0[lane] / block_size),
-          columns_(t.x1[lane] / block_size - first_column_ + 1),
-          rows_(t.y1[lane] / block_size - first_row_ + 1),
-          dzdx_(t.depth.dzdx[lane]),
-          dzdy_(t.depth.dzdy[lane]),
-          z_(t.depth.z[lane]),
-          low_(t.depth.low[lane]),
-          high_(t.depth.high[lane]) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            a_[i] = t.a[i][lane];
-            b_[i] = t.b[i][lane];
-            e_[i] = sample.e[i][lane];
-        }
-        for (int p = 0; p < parts; ++p) {
-            const I column = load<I>(block_columns + p * N);
-            const I row = load<I>(block_rows + p * N);
-            for (std::size_t i = 0; i < 3; ++i) {
-                within_[i][p] = I(e_[i]) + I(a_[i]) * column + I(b_[i]) * row;
-            }
-            x_[p] = T(sample.x[lane]) + to_float(column);
-            y_[p] = T(sample.y[lane]) + to_float(row);
-        }
-    }
-
-    // depth and owner: of the tile.
-    void draw(float* depth, std::int32_t* owner, std::int32_t triangle) const {
-        const std::ptrdiff_t first = (first_row_ * tile_blocks + first_column_) * block_pixels;
-        if (columns_ < 4) {
-            draw_narrow(depth + first, owner + first, triangle);
-            return;
-        }
-        for (std::int32_t row = 0; row < rows_; ++row) {
-            std::uint32_t touched = 0;
-            std::uint32_t full = 0;
-            classify_row(row, touched, full);
-            for (; touched != 0; touched &= touched - 1) {
-                const std::int32_t column = std::countr_zero(touched);
-                const std::ptrdiff_t at = first + (row * tile_blocks + column) * block_pixels;
-                if ((full >> column & 1U) != 0) {
-                    draw_block<true>(column, row, depth + at, owner + at, triangle);
-                } else {
-                    draw_block<false>(column, row, depth + at, owner + at, triangle);
-                }
-            }
-        }
-    }
-
-  private:
-    // All blocks, step by step; depth and owner of the first.
-    void draw_narrow(float* depth, std::int32_t* owner, std::int32_t triangle) const {
-        I step[3];
-        for (std::size_t i = 0; i < 3; ++i) {
-            step[i] = I(a_[i] * block_size);
-        }
-        for (std::int32_t row = 0; row < rows_; ++row) {
-            for (int p = 0; p < parts; ++p) {
-                std::ptrdiff_t at = row * tile_blocks * block_pixels + p * N;
-                I e[3];
-                for (std::size_t i = 0; i < 3; ++i) {
-                    e[i] = within_[i][p] + I(b_[i] * block_size * row);
-                }
-                T x = x_[p];
-                const T y = y_[p] + T(static_cast<float>(row * block_size));
-                for (std::int32_t column = 0; column < columns_; ++column, at += block_pixels) {
-                    const M inside = (e[0] | e[1] | e[2]) >= I(0);
-                    put(inside, x, y, depth + at, owner + at, triangle);
-                    for (std::size_t i = 0; i < 3; ++i) {
-                        e[i] += step[i];
-                    }
-                    x += T(static_cast<float>(block_size));
-                }
-            }
-        }
-    }
-
-    // Where the triangle is inside and nearer than what is there.
-    void put(M inside, T x, T y, float* depth, std::int32_t* owner, std::int32_t triangle) const {
-        // DepthPlane::at(), with the sample's position relative to the anchor.
-        const T z = min(max(z_ + (dzdx_ * x + dzdy_ * y), low_), high_);
-        const T known = load<T>(depth);
-        const M wins = inside & (z > known);
-        store(depth, select(wins, z, known));
-        store(owner, select(wins, I(triangle), load<I>(owner)));
-    }
-
-    // Of a row of blocks: which the triangle may touch, and which it covers entirely.
-    void classify_row(std::int32_t row, std::uint32_t& touched, std::uint32_t& full) const {
-        std::uint32_t outside = 0;
-        std::uint32_t partial = 0;
-        for (int first = 0; first < columns_; first += N) {
-            const I column = iota<I>() + I(first);
-            M out = false;
-            M part = false;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const I e = I(e_[i] + b_[i] * block_size * row) + I(a_[i] * block_size) * column;
-                const std::int32_t a = a_[i] * (block_size - 1);
-                const std::int32_t b = b_[i] * (block_size - 1);
-                out = out | (e + I(std::max(a, 0) + std::max(b, 0)) < I(0));
-                part = part | (e + I(std::min(a, 0) + std::min(b, 0)) < I(0));
-            }
-            outside |= lane_bits(out) << first;
-            partial |= lane_bits(part) << first;
-        }
-        touched = ~outside & ((1U << columns_) - 1);
-        full = ~partial;
-    }
-
-    template <bool full>
-    void draw_block(std::int32_t column, std::int32_t row, float* depth, std::int32_t* owner,
-                    std::int32_t triangle) const {
-        const T block_x(static_cast<float>(column * block_size));
-        const T block_y(static_cast<float>(row * block_size));
-        for (int p = 0; p < parts; ++p) {
-            M inside = true;
-            if constexpr (!full) {
-                I signs(0);
-                for (std::size_t i = 0; i < 3; ++i) {
-                    signs =
-                        signs | (within_[i][p] + I((a_[i] * column + b_[i] * row) * block_size));
-                }
-                inside = signs >= I(0);
-            }
-            put(inside, x_[p] + block_x, y_[p] + block_y, depth + p * N, owner + p * N, triangle);
-        }
-    }
-
-    std::int32_t first_column_, first_row_, columns_, rows_;  // blocks
-    std::int32_t e_[3], a_[3], b_[3];
-    I within_[3][parts];  // E of the first block's pixels
-    T x_[parts], y_[parts];
-    T dzdx_, dzdy_, z_, low_, high_;
-};
 
 template <int N>
 class TileVisibility {
@@ -198,8 +51,9 @@ class TileVisibility {
                        setup);
         }
         const std::uint32_t drawn = all_lanes & lanes_drawn(setup);
+        const std::uint32_t small = done & SmallCoverage<N>::fitting(setup);
         for (std::size_t s = 0; s < offsets_.size() && drawn != 0; ++s) {
-            draw_sample(setup, s, drawn);
+            draw_sample(setup, s, drawn, small);
         }
         next_ += static_cast<std::int32_t>(refs.size());
     }
@@ -210,15 +64,25 @@ class TileVisibility {
         return lane_bits(columns & rows);
     }
 
-    void draw_sample(const TileSetup<N>& setup, std::size_t s, std::uint32_t drawn) {
+    // In the order of the lanes: the small ones up to the next large one, then that.
+    void draw_sample(const TileSetup<N>& setup, std::size_t s, std::uint32_t drawn,
+                     std::uint32_t small) {
         SampleSetup<N> sample;
         place_sample(setup, tile_, offsets_[s], sample);
+        SmallCoverage<N> small_ones(setup, sample, next_);
         float* depth = &tile_.depth[s * tile_pixels];
         std::int32_t* owner = &tile_.owner[s * tile_pixels];
-        for (; drawn != 0; drawn &= drawn - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(drawn));
-            Coverage<N>(setup, sample, lane)
-                .draw(depth, owner, next_ + static_cast<std::int32_t>(lane));
+        for (std::uint32_t left = drawn; left != 0;) {
+            const std::uint32_t large = left & ~small;
+            const std::uint32_t before = left & ((large & -large) - 1);
+            small_ones.draw(before, depth, owner);
+            left &= ~before;
+            if (left != 0) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+                LargeCoverage<N>(setup, sample, lane)
+                    .draw(depth, owner, next_ + static_cast<std::int32_t>(lane));
+                left &= left - 1;
+            }
         }
     }
 

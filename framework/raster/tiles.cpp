@@ -10,8 +10,9 @@
 namespace glint {
 namespace {
 
-// A chunk's bins are kept apart, so many chunks cost memory, few leave threads idle.
+// Every tile looks into every chunk's bins, so many chunks cost time, few leave threads idle.
 constexpr std::size_t chunk_triangles = 4096;
+constexpr std::size_t chunks_a_thread = 16;
 constexpr std::size_t most_chunks = 256;
 constexpr std::size_t vertices_at_a_time = 8192;
 
@@ -107,7 +108,9 @@ void TileRasterizer::transform_vertices(const Mesh& mesh, const View& view) {
 
 void TileRasterizer::sort_into_tiles(const Mesh& mesh, const View& view) {
     const std::size_t count = mesh.triangles.size();
-    const std::size_t size = std::max(chunk_triangles, (count + most_chunks - 1) / most_chunks);
+    const auto threads = static_cast<std::size_t>(pool_.threads());
+    const std::size_t chunks = std::min(chunks_a_thread * threads, most_chunks);
+    const std::size_t size = std::max(chunk_triangles, (count + chunks - 1) / chunks);
     chunks_used_ = (count + size - 1) / size;
     if (chunks_.size() < chunks_used_) {
         chunks_.resize(chunks_used_);

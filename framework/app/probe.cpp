@@ -40,15 +40,6 @@ std::optional<Hit> winner(const Mesh& mesh, const View& view, Cull cull, std::in
     return best;
 }
 
-template <class T>
-std::array<T, max_varyings> varyings_at(const Shader& shader, const Mesh& mesh, const Hit& hit,
-                                        const Barycentrics<T>& b) {
-    std::array<T, max_varyings> values{};
-    interpolate(corner_varyings(shader, mesh, hit.triangle), shader.varyings, b.space,
-                values.data(), 1);
-    return values;
-}
-
 std::vector<Reading> barycentric_readings(const std::string& name, const auto& f, const auto& d) {
     std::vector<Reading> all;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -144,8 +135,10 @@ PixelReport probe_pixel(const Lesson& lesson, const Options& o, const Scene& sce
     const auto d = barycentrics<double>(hit->triangle, hit->edges, x, y);
     report.words.push_back("material " + scene.materials[material].name);
     add_geometry(report, *hit, x, y, f, d);
-    add_shading(report, shader, varyings_at<float>(shader, scene.mesh, *hit, f).data(),
-                varyings_at<double>(shader, scene.mesh, *hit, d).data());
+    const CornerVaryings corners = corner_varyings(shader, scene.mesh, hit->triangle);
+    const EyeRays rays = eye_rays(view);
+    add_shading(report, shader, interpolate(shader, corners, f.space, rays, x, y).data(),
+                interpolate(shader, corners, d.space, rays, x, y).data());
     return report;
 }
 

@@ -30,6 +30,7 @@ class Tiles {
     Tiles(const View& view, const Settings& settings)
         : frame_{.mesh = &mesh_,
                  .view = view,
+                 .rays = {},
                  .settings = settings,
                  .grid = tile_grid(view),
                  .vertices = &vertices_,

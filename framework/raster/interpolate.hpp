@@ -1,6 +1,7 @@
 // Perspective-correct interpolation at one point, from exact edge values.
 #pragma once
 
+#include "framework/raster/eye_rays.hpp"
 #include "framework/raster/setup.hpp"
 #include "framework/raster/shader.hpp"
 
@@ -55,17 +56,29 @@ Barycentrics<T> barycentrics(const ScreenTriangle& triangle, const Edges& edges,
     return b;
 }
 
-// out[k * stride]: varying k, relative to corner 0: what small triangles vary little in is rounded
-// little. T is float or double.
+// What a shader is called with at a window position (1/256 pixel): the varyings, relative to corner
+// 0, for what small triangles vary little in is then rounded little; and the way to the eye, where
+// it asks for that. T is float or double.
 template <class T>
-void interpolate(const CornerVaryings& corners, int count, const std::array<T, 3>& weight, T* out,
-                 int stride) {
-    for (int k = 0; k < count; ++k) {
-        const auto at = static_cast<std::size_t>(k);
-        const auto first = static_cast<T>(corners[0][at]);
-        out[k * stride] = first + (weight[1] * (static_cast<T>(corners[1][at]) - first) +
-                                   weight[2] * (static_cast<T>(corners[2][at]) - first));
+std::array<T, max_varyings> interpolate(const Shader& shader, const CornerVaryings& corners,
+                                        const std::array<T, 3>& weight, const EyeRays& rays,
+                                        std::int64_t x, std::int64_t y) {
+    std::array<T, max_varyings> out{};
+    const auto count = static_cast<std::size_t>(shader.varyings);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto first = static_cast<T>(corners[0][k]);
+        out[k] = first + (weight[1] * (static_cast<T>(corners[1][k]) - first) +
+                          weight[2] * (static_cast<T>(corners[2][k]) - first));
     }
+    if (shader.to_eye) {
+        const double pixel = 1.0 / subpixel_one;
+        const glm::dvec3 to_eye =
+            rays.at(static_cast<double>(x) * pixel, static_cast<double>(y) * pixel);
+        for (int i = 0; i < 3; ++i) {
+            out[count + static_cast<std::size_t>(i)] = static_cast<T>(to_eye[i]);
+        }
+    }
+    return out;
 }
 
 }  // namespace glint

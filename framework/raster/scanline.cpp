@@ -31,6 +31,7 @@ Statistics ScanlineRasterizer::render(const Mesh& mesh, const View& view,
     Assembly assembly = assemble(mesh, view);
     triangles_ = std::move(assembly.triangles);
     corners_of_ = no_triangle;
+    rays_ = eye_rays(view);
     won_a_sample_.assign(mesh.triangles.size(), 0);
     statistics.triangles_in = static_cast<std::int64_t>(mesh.triangles.size());
     statistics.triangles_not_finite = assembly.not_finite;
@@ -124,16 +125,15 @@ template <class T>
 Rgb<float> ScanlineRasterizer::shade_as(const Shader& shader, const Fragment& fragment, int x,
                                         int y) const {
     const ScreenTriangle& triangle = triangles_[static_cast<std::size_t>(fragment.triangle)];
-    const auto weights =
-        barycentrics<T>(triangle, edges_, x * subpixel_one + subpixel_one / 2 + fragment.at.x,
-                        y * subpixel_one + subpixel_one / 2 + fragment.at.y);
-    T varyings[max_varyings];
-    interpolate(corners_, shader.varyings, weights.space, varyings, 1);
+    const std::int64_t at_x = x * subpixel_one + subpixel_one / 2 + fragment.at.x;
+    const std::int64_t at_y = y * subpixel_one + subpixel_one / 2 + fragment.at.y;
+    const auto weights = barycentrics<T>(triangle, edges_, at_x, at_y).space;
+    const auto in = interpolate(shader, corners_, weights, rays_, at_x, at_y);
     T rgb[3];
     if constexpr (std::same_as<T, double>) {
-        shader.reference(shader.shader, varyings, 1, 1, rgb);
+        shader.reference(shader.shader, in.data(), 1, 1, rgb);
     } else {
-        shader.shade_1(shader.shader, varyings, 1, 1, rgb);
+        shader.shade_1(shader.shader, in.data(), 1, 1, rgb);
     }
     return Rgb<float>(rgb[0], rgb[1], rgb[2]);
 }

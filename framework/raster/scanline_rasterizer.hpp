@@ -41,6 +41,7 @@ class ScanlineRasterizer {
     std::int32_t corners_of_ = no_triangle;
     CornerVaryings corners_{};
     Edges edges_{};
+    EyeRays rays_{};
 };
 
 }  // namespace glint

@@ -14,7 +14,9 @@
 //     };
 //
 // Varyings holds Ts and vectors of T, nothing else, and only what the shader needs: every member
-// costs time in every fragment. The call is compiled for float, for double (the reference that
+// costs time in every fragment. A last member Vec3<T> to_eye is not interpolated but known of each
+// pixel, and cheaper: the direction towards the eye, of any length; vertex() leaves it 0. The call
+// is compiled for float, for double (the reference that
 // accuracy is measured against) and for SIMD lanes; plug() makes of it what the rasterizer takes.
 // A shader may accept a second argument, a commentator: note("N.L", cosine). It is silent when
 // drawing, and lists the terms of one pixel when probing.
@@ -25,6 +27,7 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <new>
 #include <string_view>
 #include <type_traits>
@@ -71,12 +74,14 @@ class NoteTaker {
 
 // What the rasterizer holds of a shader: addresses. The shader itself must outlive it.
 struct Shader {
-    // Varyings of the named vertices: varyings floats each, one vertex after the other.
+    // Varyings of the named vertices, less to_eye: varyings floats each, one vertex after the
+    // other.
     using VertexCall = void (*)(const void* shader, const Mesh&, const std::uint32_t* vertices,
                                 int count, float* out);
     // Colours of a block of fragments: varying k of fragment i is at in[k * stride + i], its red,
-    // green and blue go to out[i], out[stride + i], out[2 * stride + i]. The lanes version reads
-    // and writes up to the next multiple of its width. in and out do not overlap.
+    // green and blue go to out[i], out[stride + i], out[2 * stride + i]. The three of to_eye come
+    // last. The lanes version reads and writes up to the next multiple of its width. in and out do
+    // not overlap.
     template <class Scalar>
     using ShadeCall = void (*)(const void* shader, const Scalar* in, int stride, int count,
                                Scalar* out);
@@ -84,7 +89,8 @@ struct Shader {
     using ExplainCall = void (*)(const void* shader, const Scalar* in, std::vector<Note>& notes);
 
     const void* shader = nullptr;
-    int varyings = 0;
+    int varyings = 0;  // to be interpolated
+    bool to_eye = false;
     VertexCall vertex = nullptr;
     ShadeCall<float> shade_1 = nullptr;
     ShadeCall<float> shade_4 = nullptr;
@@ -108,6 +114,24 @@ struct TwelveBytes {
 template <class S>
 inline constexpr int count = static_cast<int>(sizeof(Varyings<S, float>) / sizeof(float));
 
+template <class S>
+inline constexpr bool takes_to_eye = requires(Varyings<S, float> v) {
+    v.to_eye;
+};
+
+template <class S>
+inline constexpr int interpolated = count<S> - (takes_to_eye<S> ? 3 : 0);
+
+template <class S>
+constexpr bool to_eye_is_last() {
+    if constexpr (takes_to_eye<S>) {
+        using V = Varyings<S, float>;
+        return std::is_same_v<decltype(V::to_eye), Vec3<float>> &&
+               offsetof(V, to_eye) == sizeof(V) - sizeof(Vec3<float>);
+    }
+    return true;
+}
+
 template <class S, class T>
 Varyings<S, T> gather_varyings(const auto* in, int stride) {
     std::array<T, count<S>> values;
@@ -124,7 +148,8 @@ void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices,
         const auto at = vertices[i];
         const Vertex v{mesh.positions[at], mesh.normals.empty() ? glm::vec3(0) : mesh.normals[at],
                        mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[at]};
-        ::new (out + i * count<S>) Varyings<S, float>(static_cast<const S*>(shader)->vertex(v));
+        ::new (out + i * interpolated<S>)
+            Varyings<S, float>(static_cast<const S*>(shader)->vertex(v));
     }
 }
 
@@ -162,9 +187,11 @@ Shader plug(const S& shader) {
     static_assert(std::is_trivially_copyable_v<Varyings<S, float>> &&
                       sizeof(Varyings<S, TwelveBytes>) == 3 * sizeof(Varyings<S, float>),
                   "Varyings<T> may hold only T and vectors of T");
+    static_assert(to_eye_is_last<S>(), "to_eye must be a Vec3<T> and the last of Varyings<T>");
     static_assert(count<S> <= max_varyings, "a shader has at most 16 scalar varyings");
     Shader p{.shader = &shader,
-             .varyings = count<S>,
+             .varyings = interpolated<S>,
+             .to_eye = takes_to_eye<S>,
              .vertex = vertex<S>,
              .shade_1 = shade<S, float, float>,
              .shade_4 = shade<S, Float<4>, float>,

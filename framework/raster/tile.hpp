@@ -5,6 +5,7 @@
 #pragma once
 
 #include "framework/raster/bins.hpp"
+#include "framework/raster/eye_rays.hpp"
 #include "framework/raster/pipeline.hpp"
 #include "framework/raster/shader.hpp"
 #include "framework/image/image.hpp"
@@ -43,6 +44,7 @@ inline std::size_t pixel_place(int column, int row) {
 struct Frame {
     const Mesh* mesh;
     View view;
+    EyeRays rays;
     Settings settings;
     TileGrid grid;
     const VertexBuffer* vertices;

@@ -12,6 +12,27 @@ namespace {
 
 constexpr int batch = 256;  // fragments a call of the shader; their varyings stay in the L1 cache
 
+// The direction towards the eye over a tile.
+template <int N>
+class WayToEye {
+    using T = typename Lanes<N>::Float;
+
+  public:
+    WayToEye(const Frame& frame, const TileBuffer& tile)
+        : corner_(glm::vec3(frame.rays.at(tile.x, tile.y))),
+          right_(glm::vec3(frame.rays.right)),
+          down_(glm::vec3(frame.rays.down)) {}
+
+    void store_at(T x, T y, float* out) const {
+        for (int c = 0; c < 3; ++c) {
+            store(out + c * batch, fma(down_[c], y, fma(right_[c], x, corner_[c])));
+        }
+    }
+
+  private:
+    Vec3<T> corner_, right_, down_;
+};
+
 template <int N>
 class TileShading {
     using T = typename Lanes<N>::Float;
@@ -41,8 +62,14 @@ class TileShading {
         tile_.radiance.resize(3 * batch);
         float* in = tile_.varyings.data();
         float* out = tile_.radiance.data();
+        const WayToEye<N> to_eye(frame_, tile_);
         for (std::size_t i = 0; i < n; i += N) {
-            interpolate(begin + i, std::min<std::size_t>(N, n - i), shader.varyings, in + i);
+            const std::size_t count = std::min<std::size_t>(N, n - i);
+            const auto [x, y] = place(begin + i, count);
+            interpolate(begin + i, count, shader.varyings, x, y, in + i);
+            if (shader.to_eye) {
+                to_eye.store_at(x, y, in + shader.varyings * batch + i);
+            }
         }
         const auto call = N == 16  ? shader.shade_16
                           : N == 8 ? shader.shade_8
@@ -58,15 +85,22 @@ class TileShading {
         }
     }
 
-    // The varyings of up to N fragments; lanes beyond repeat the last.
-    void interpolate(std::size_t begin, std::size_t n, int varyings, float* out) const {
+    // Where up to N fragments are, in pixels from the tile's corner; lanes beyond repeat the last.
+    struct Place {
+        T x, y;
+    };
+    Place place(std::size_t begin, std::size_t n) const {
         const I pixel = load_padded<I>(&tile_.fragment_pixel[begin], n);
-        T x = to_float(pixel_column(pixel)) + T(0.5F);
-        T y = to_float(pixel_row(pixel)) + T(0.5F);
+        Place p{to_float(pixel_column(pixel)) + T(0.5F), to_float(pixel_row(pixel)) + T(0.5F)};
         if (multisampled_) {
-            x += load_padded<T>(&tile_.fragment_x[begin], n);
-            y += load_padded<T>(&tile_.fragment_y[begin], n);
+            p.x += load_padded<T>(&tile_.fragment_x[begin], n);
+            p.y += load_padded<T>(&tile_.fragment_y[begin], n);
         }
+        return p;
+    }
+
+    // The varyings of up to N fragments.
+    void interpolate(std::size_t begin, std::size_t n, int varyings, T x, T y, float* out) const {
         const std::int32_t* triangle = &tile_.fragment_triangle[begin];
         const I triangles = load_padded<I>(triangle, n);
         const std::int32_t last = triangle[n - 1];

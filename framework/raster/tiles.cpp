@@ -67,9 +67,16 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
     sort_into_tiles(mesh, view);
     const double geometry_seconds = seconds_since(start);
 
-    const Frame frame{&mesh,           view,       settings_,
-                      tile_grid(view), &vertices_, {chunks_.data(), chunks_used_},
-                      shaders,         target,     won_a_sample_};
+    const Frame frame{.mesh = &mesh,
+                      .view = view,
+                      .rays = eye_rays(view),
+                      .settings = settings_,
+                      .grid = tile_grid(view),
+                      .vertices = &vertices_,
+                      .chunks = {chunks_.data(), chunks_used_},
+                      .shaders = shaders,
+                      .target = target,
+                      .won_a_sample = won_a_sample_};
     pool_.run(frame.grid.tiles(), [&](std::size_t tile, int thread) {
         draw_tile(frame, tile, buffers_[static_cast<std::size_t>(thread)]);
     });

@@ -1,5 +1,6 @@
 #include "lessons/01_ad_hoc_phong/ad_hoc_phong.hpp"
 #include "lessons/15_engine_integration/engine_phong.hpp"
+#include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/shelves.hpp"
 #include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/app/lesson.hpp"
@@ -46,15 +47,20 @@ auto with_pi(const Scene& s, const Material& m, const Parameters& p) {
         {phong, highlight_from(phong, lights, least_highlight(p))}, lights, s.camera.eye};
 }
 
+auto from_afar(const Scene& s, const Material& m, const Parameters& p) {
+    return LitFromAfar<WhereItShows>{with_pi(s, m, p)};
+}
+
 auto without_pi(const Scene& s, const Material& m, const Parameters&) {
     return Lit<EnginePhongWithoutPi>{
         {brdf_of(m)}, lights_without_pi(lights_for(s, m)), s.camera.eye};
 }
 
 ShaderSet shaders(const Scene& s, const Parameters& p) {
-    return p["model"] == 1 ? shade_each_material(lesson_1)(s, p)
-           : p["pi"] > 0   ? shade_each_material(with_pi)(s, p)
-                           : shade_each_material(without_pi)(s, p);
+    return p["model"] == 1            ? shade_each_material(lesson_1)(s, p)
+           : p["pi"] == 0             ? shade_each_material(without_pi)(s, p)
+           : s.lighting.point.empty() ? shade_each_material(from_afar)(s, p)
+                                      : shade_each_material(with_pi)(s, p);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ ReferencePicture reference_picture(const BenchScene& bench) {
     const BenchShader shader = bench_shader(bench.scene);
     const Shader plugged = plug(shader);
     const std::vector<ScreenTriangle> triangles = by_source(mesh, bench_view(bench));
+    const EyeRays rays = eye_rays(bench_view(bench));
     ReferencePicture reference;
     for (int y = 0; y < bench.height; ++y) {
         for (int x = 0; x < bench.width; ++x) {
@@ -43,14 +44,13 @@ ReferencePicture reference_picture(const BenchScene& bench) {
                 continue;
             }
             const ScreenTriangle& t = triangles[static_cast<std::size_t>(id)];
-            const auto weights =
-                barycentrics<double>(t, edges_of(t.v), x * subpixel_one + subpixel_one / 2,
-                                     y * subpixel_one + subpixel_one / 2);
-            double varyings[max_varyings];
+            const std::int64_t at_x = x * subpixel_one + subpixel_one / 2;
+            const std::int64_t at_y = y * subpixel_one + subpixel_one / 2;
+            const auto weights = barycentrics<double>(t, edges_of(t.v), at_x, at_y).space;
+            const auto in =
+                interpolate(plugged, corner_varyings(plugged, mesh, t), weights, rays, at_x, at_y);
             double rgb[3];
-            interpolate(corner_varyings(plugged, mesh, t), plugged.varyings, weights.space,
-                        varyings, 1);
-            plugged.reference(plugged.shader, varyings, 1, 1, rgb);
+            plugged.reference(plugged.shader, in.data(), 1, 1, rgb);
             reference.radiance.emplace_back(rgb[0], rgb[1], rgb[2]);
         }
     }

@@ -13,14 +13,15 @@
 namespace glint {
 namespace {
 
-// Operations of one fragment: varyings by planes and 1/w, the shader, the sRGB codes.
+// Operations of one fragment: its normal by planes and 1/w, the way to the eye by one plane each,
+// the shader, the sRGB codes.
 double operations_of_fragment(const BenchShader& shader) {
     Counted::operations = 0;
     const auto plane = [] { return Counted(0.5F) + Counted(0.1F) * 0.3F + Counted(0.2F) * 0.7F; };
     const Counted w = Counted(1.0F) / plane();
     const auto varying = [&] { return Counted(0.4F) + plane() * w; };
     const BenchShader::Varyings<Counted> in{{varying(), varying(), varying()},
-                                            {varying(), varying(), varying()}};
+                                            {plane(), plane(), plane()}};
     const Rgb<Counted> c = shader(in);
     for (int channel = 0; channel < 3; ++channel) {
         srgb_code(c[channel]);

@@ -2,19 +2,20 @@
 // add 1/1000 code or more.
 #pragma once
 
+#include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/raster/renderer.hpp"
 #include "tests/bench/scenes.hpp"
 
 namespace glint {
 
-using BenchShader = Lit<WhereItShows>;
+using BenchShader = LitFromAfar<WhereItShows>;
 
 inline BenchShader bench_shader(const Scene& s) {
     const Material& m = s.materials[0];
     const EnginePhong phong{m.diffuse, m.specular, m.exponent};
     const float from = highlight_from(phong, s.lighting, radiance_of_codes(1e-3F));
-    return {{phong, from}, s.lighting, s.camera.eye};
+    return {{{phong, from}, s.lighting, s.camera.eye}};
 }
 
 inline View bench_view(const BenchScene& b) {

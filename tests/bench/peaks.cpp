@@ -41,8 +41,9 @@ template <int N>
         auto* out = reinterpret_cast<std::int32_t*>(picture.row(y).data());
         for (int x = 0; x < picture.width(); x += N) {
             const T column = (iota<T>() + T(static_cast<float>(x))) * T(step);
-            const BenchShader::Varyings<T> in{{column - T(0.5F), row - T(0.3F), column + row},
-                                              {column - T(0.5F), T(0.3F) - row, T(0.7F) + row}};
+            const Vec3<T> position(column - T(0.5F), row - T(0.3F), column + row);
+            const BenchShader::Varyings<T> in{{column - T(0.5F), T(0.3F) - row, T(0.7F) + row},
+                                              shader.lit.eye - position};
             const Rgb<T> c = shader(in);
             store(out + x, opaque_code(c.r, c.g, c.b));
         }

@@ -1,5 +1,6 @@
 // counted_frames NAME: draws a small frame twice, the second time in a function of its own, whose
 // instructions tests/instruction_counts/count counts.
+#include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/raster/renderer.hpp"
 #include "framework/math/error.hpp"
@@ -79,7 +80,7 @@ int main(int argc, char** argv) {
         const Frame f = frame(argc == 2 ? argv[1] : "");
         const EnginePhong phong{Rgb<float>(0.5F, 0.3F, 0.2F), Rgb<float>(0.04F), 50};
         const float from = highlight_from(phong, f.lighting, radiance_of_codes(1e-3F));
-        const Lit<WhereItShows> lit{{phong, from}, f.lighting, {0, 0, 3}};
+        const LitFromAfar<WhereItShows> lit{{{phong, from}, f.lighting, {0, 0, 3}}};
         const Shader shader = plug(lit);
         Renderer renderer({.lanes = lanes});
         SrgbImage picture;

@@ -1,4 +1,5 @@
 #include "lessons/15_engine_integration/engine_phong.hpp"
+#include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/shelves.hpp"
 #include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/measure/gonioreflectometer.hpp"
@@ -41,6 +42,25 @@ TEST_CASE("15.1 the slides' formula, term by term") {
                                         (n + 2) / (2 * pi) * R * std::pow(std::max(VR, 0.0), n);
                 CHECK(f[band] == doctest::Approx(expected).epsilon(1e-12));
             }
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("from afar as near", T, float, double, ALL_LANES) {
+    const EnginePhong phong{Cd, F0, 40};
+    Lighting lighting = two_lights();
+    lighting.point.clear();
+    const Lit<EnginePhong> lit{phong, lighting, {0.3F, 0.1F, 2}};
+    for (const glm::vec3 normal : {glm::vec3(0, 0, 1), glm::vec3(0.6F, 0, 0.8F), glm::vec3(0)}) {
+        const Vec3<T> position(glm::vec3(-0.2F, 0.3F, 0.4F));
+        const Rgb<T> near =
+            lit(typename Lit<EnginePhong>::template Varyings<T>{position, Vec3<T>(normal)});
+        const LitFromAfar<EnginePhong> from_afar{lit};
+        const Vec3<T> to_eye = T(0.1F) * (Vec3<T>(lit.eye) - position);
+        const Rgb<T> far = from_afar(
+            typename LitFromAfar<EnginePhong>::template Varyings<T>{Vec3<T>(normal), to_eye});
+        for (int band = 0; band < 3; ++band) {
+            CHECK(value(far[band]) == doctest::Approx(value(near[band])).epsilon(1e-5));
         }
     }
 }

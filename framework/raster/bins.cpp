@@ -25,32 +25,27 @@ I largest(const I (&v)[3]) {
     return max(max(v[0], v[1]), v[2]);
 }
 
-// Whether a triangle certainly has no area or, where that culls, faces away. Exact for small
-// triangles; others are left to the exact test at their tiles where rounding could decide.
+// Where triangles certainly face away, whatever was rounded.
 template <int N>
-typename Lanes<N>::Mask certainly_culled(const typename Lanes<N>::Int (&x)[3],
-                                         const typename Lanes<N>::Int (&y)[3],
-                                         typename Lanes<N>::Mask small, bool cull_back) {
+typename Lanes<N>::Mask certainly_faces_away(const typename Lanes<N>::Int (&x)[3],
+                                             const typename Lanes<N>::Int (&y)[3]) {
     using T = typename Lanes<N>::Float;
+    const T left = to_float(x[1] - x[0]) * to_float(y[2] - y[0]);
+    const T right = to_float(x[2] - x[0]) * to_float(y[1] - y[0]);
+    return left - right > (abs(left) + abs(right)) * T(0x1p-22F);
+}
+
+// Where small triangles have no area or, where that culls, face away.
+template <int N>
+typename Lanes<N>::Mask culled(const typename Lanes<N>::Int (&x)[3],
+                               const typename Lanes<N>::Int (&y)[3], typename Lanes<N>::Mask small,
+                               bool cull_back) {
     using I = typename Lanes<N>::Int;
     using M = typename Lanes<N>::Mask;
-    const I dx1 = x[1] - x[0];
-    const I dy1 = y[1] - y[0];
-    const I dx2 = x[2] - x[0];
-    const I dy2 = y[2] - y[0];
-    const I zero(0);
-    M dead = false;
-    if (any(small)) {
-        const I area = select(small, dx1, zero) * dy2 - select(small, dx2, zero) * dy1;
-        dead = small & ((area == zero) | (M(cull_back) & (area > zero)));
-    }
-    if (cull_back && any(!small)) {
-        const T left = to_float(dx1) * to_float(dy2);
-        const T right = to_float(dx2) * to_float(dy1);
-        const T doubt = (abs(left) + abs(right)) * T(0x1p-22F);
-        dead = dead | ((!small) & (left - right > doubt));
-    }
-    return dead;
+    const I dx1 = select(small, x[1] - x[0], I(0));
+    const I dx2 = select(small, x[2] - x[0], I(0));
+    const I area = dx1 * (y[2] - y[0]) - dx2 * (y[1] - y[0]);
+    return small & ((area == I(0)) | (M(cull_back) & (area > I(0))));
 }
 
 // Where small triangles cover none of the 2x2 pixels' centres from pixel x0, y0 on.
@@ -154,6 +149,13 @@ void TileBins::stage(const typename Lanes<N>::Int (&x)[3], const typename Lanes<
                      typename Lanes<N>::Int ref) {
     using I = typename Lanes<N>::Int;
     using M = typename Lanes<N>::Mask;
+    M alive = true;
+    if (window_.cull_back) {  // first, for that is most of a closed mesh
+        alive = !certainly_faces_away<N>(x, y);
+        if (!any(alive)) {
+            return;
+        }
+    }
     const I left = smallest(x);
     const I right = largest(x);
     const I top = smallest(y);
@@ -166,12 +168,12 @@ void TileBins::stage(const typename Lanes<N>::Int (&x)[3], const typename Lanes<
         min((right - I(half_pixel + window_.low.x)) >> subpixel_bits, I(window_.width - 1));
     const I y1 =
         min((bottom - I(half_pixel + window_.low.y)) >> subpixel_bits, I(window_.height - 1));
-    M alive = (x0 <= x1) & (y0 <= y1);
+    alive = alive & (x0 <= x1) & (y0 <= y1);
     if (!any(alive)) {
         return;
     }
     const M small = (right - left < I(small_extent)) & (bottom - top < I(small_extent));
-    alive = alive & !certainly_culled<N>(x, y, small, window_.cull_back);
+    alive = alive & !culled<N>(x, y, small, window_.cull_back);
     const M tiny = small & (x1 - x0 <= I(1)) & (y1 - y0 <= I(1));
     if (window_.at_centres && any(alive & tiny)) {
         alive = alive & !(tiny & misses_four_centres<N>(x, y, x0, y0));

@@ -10,9 +10,11 @@
 #include "framework/raster/shader.hpp"
 #include "framework/image/image.hpp"
 #include "framework/image/srgb.hpp"
+#include "framework/math/simd.hpp"
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -39,6 +41,12 @@ inline std::size_t pixel_place(int column, int row) {
     return static_cast<std::size_t>(block * block_pixels + (row % block_size) * block_size +
                                     column % block_size);
 }
+
+inline constexpr auto all_pixels = [] {
+    std::array<std::int32_t, tile_pixels + max_lanes> pixels{};
+    std::iota(pixels.begin(), pixels.end(), 0);
+    return pixels;
+}();
 
 // All that a frame's stages share; read-only while tiles are drawn.
 struct Frame {
@@ -75,8 +83,11 @@ struct TileBuffer {
     std::vector<TileTriangle> triangles;
 
     // Fragments: place of the pixel, place in triangles, offset from the pixel's centre in pixels,
-    // share of the pixel's samples. Offsets and shares are left out with one sample a pixel.
+    // share of the pixel's samples. Offsets and shares are left out with one sample a pixel. Of a
+    // tile that is covered everywhere the first two are not listed: they are all its pixels, and
+    // owner.
     std::size_t fragments = 0;
+    bool covered = false;
     LineVector<std::int32_t> fragment_pixel, fragment_triangle;
     LineVector<float> fragment_x, fragment_y, fragment_share;
 
@@ -94,6 +105,12 @@ struct TileBuffer {
     LineVector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
     std::array<LineVector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
     LineVector<std::int32_t> codes;           // sRGB by pixel, as Rgba8 lies in memory
+
+    const std::int32_t* pixels() const {
+        return covered ? all_pixels.data() : fragment_pixel.data();
+    }
+    std::int32_t* owners() { return covered ? owner.data() : fragment_triangle.data(); }
+    const std::int32_t* owners() const { return covered ? owner.data() : fragment_triangle.data(); }
 
     std::int64_t fragments_shaded = 0, tiles_empty = 0;
     double visibility_seconds = 0, shading_seconds = 0, output_seconds = 0;

@@ -28,6 +28,11 @@ class FragmentList {
             tile_.fragment_share.resize(most);
         }
         tile_.fragments = 0;
+        tile_.covered = offsets_.size() == 1 && covers_all();
+        if (tile_.covered) {
+            tile_.fragments = tile_pixels;
+            return;
+        }
         if (offsets_.size() == 1) {
             list_single();
             return;
@@ -40,6 +45,16 @@ class FragmentList {
     }
 
   private:
+    bool covers_all() const {
+        const float* depth = tile_.depth.data();
+        for (int pixel = 0; pixel < tile_pixels; pixel += N) {
+            if (!all(load<T>(depth + pixel) > T(0.0F))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     // One sample a pixel. All is local, for what is stored might be what the tile's members are.
     void list_single() {
         const float* depth = tile_.depth.data();
@@ -115,7 +130,7 @@ template <int N>
 std::size_t list_runs(TileBuffer& tile, std::int32_t* run) {
     using I = typename Lanes<N>::Int;
     const auto fragments = static_cast<std::int32_t>(tile.fragments);
-    std::int32_t* owner = tile.fragment_triangle.data();
+    std::int32_t* owner = tile.owners();
     owner[fragments] = no_triangle;  // ends the last run
     std::ptrdiff_t count = 0;
     for (std::int32_t i = 0; i < fragments; i += N) {
@@ -139,10 +154,10 @@ void mark_owners(TileBuffer& tile) {
 }
 
 template <class V>
-void reorder(const TileBuffer& tile, LineVector<V>& values, LineVector<V>& sorted) {
+void reorder(const TileBuffer& tile, const V* from, LineVector<V>& values, LineVector<V>& sorted) {
     sorted.resize(values.size());
     for (std::size_t i = 0; i < tile.fragments; ++i) {
-        sorted[i] = values[tile.order[i]];
+        sorted[i] = from[tile.order[i]];
     }
     values.swap(sorted);
 }
@@ -150,7 +165,7 @@ void reorder(const TileBuffer& tile, LineVector<V>& values, LineVector<V>& sorte
 // A counting sort: fragments of one shader keep their order.
 void sort_by_shader(const Frame& frame, TileBuffer& tile) {
     const auto shader_of_fragment = [&](std::size_t i) {
-        const auto t = static_cast<std::size_t>(tile.fragment_triangle[i]);
+        const auto t = static_cast<std::size_t>(tile.owners()[i]);
         return material_of(frame, source_of(frame, tile.triangles[t]));
     };
     tile.shader_end.assign(frame.shaders.size() + 1, 0);
@@ -164,12 +179,13 @@ void sort_by_shader(const Frame& frame, TileBuffer& tile) {
     for (std::size_t i = 0; i < tile.fragments; ++i) {
         tile.order[tile.shader_end[shader_of_fragment(i)]++] = static_cast<std::uint32_t>(i);
     }
-    reorder(tile, tile.fragment_pixel, tile.sorted_ints);
-    reorder(tile, tile.fragment_triangle, tile.sorted_ints);
+    reorder(tile, tile.pixels(), tile.fragment_pixel, tile.sorted_ints);
+    reorder(tile, tile.owners(), tile.fragment_triangle, tile.sorted_ints);
+    tile.covered = false;
     if (frame.settings.samples > 1) {
-        reorder(tile, tile.fragment_x, tile.sorted_floats);
-        reorder(tile, tile.fragment_y, tile.sorted_floats);
-        reorder(tile, tile.fragment_share, tile.sorted_floats);
+        for (auto* values : {&tile.fragment_x, &tile.fragment_y, &tile.fragment_share}) {
+            reorder(tile, values->data(), *values, tile.sorted_floats);
+        }
     }
 }
 

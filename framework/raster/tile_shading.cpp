@@ -90,7 +90,7 @@ class TileShading {
         T x, y;
     };
     Place place(std::size_t begin, std::size_t n) const {
-        const I pixel = load_padded<I>(&tile_.fragment_pixel[begin], n);
+        const I pixel = load_padded<I>(&tile_.pixels()[begin], n);
         Place p{to_float(pixel_column(pixel)) + T(0.5F), to_float(pixel_row(pixel)) + T(0.5F)};
         if (multisampled_) {
             p.x += load_padded<T>(&tile_.fragment_x[begin], n);
@@ -101,7 +101,7 @@ class TileShading {
 
     // The varyings of up to N fragments.
     void interpolate(std::size_t begin, std::size_t n, int varyings, T x, T y, float* out) const {
-        const std::int32_t* triangle = &tile_.fragment_triangle[begin];
+        const std::int32_t* triangle = &tile_.owners()[begin];
         const I triangles = load_padded<I>(triangle, n);
         const std::int32_t last = triangle[n - 1];
         const M of_first = triangles == I(triangle[0]);
@@ -215,7 +215,7 @@ class TileShading {
     // The values of n fragments, at most N, to their pixels.
     template <class V, class Scalar>
     void put(std::size_t begin, std::size_t n, const V& values, Scalar* out) const {
-        const std::int32_t* pixel = &tile_.fragment_pixel[begin];
+        const std::int32_t* pixel = &tile_.pixels()[begin];
         if (n == N && pixel[N - 1] - pixel[0] == N - 1) {
             store(out + pixel[0], values);
             return;
@@ -232,7 +232,7 @@ class TileShading {
         for (std::size_t c = 0; c < 3; ++c) {
             const float background = frame_.target.background[static_cast<int>(c)];
             for (std::size_t i = 0; i < n; ++i) {
-                const auto pixel = static_cast<std::size_t>(tile_.fragment_pixel[begin + i]);
+                const auto pixel = static_cast<std::size_t>(tile_.pixels()[begin + i]);
                 tile_.colour[c][pixel] +=
                     (rgb[c * batch + i] - background) * tile_.fragment_share[begin + i];
             }

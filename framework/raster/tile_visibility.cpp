@@ -156,7 +156,7 @@ bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer) {
     }
     const auto samples = static_cast<std::size_t>(frame.settings.samples) * tile_pixels;
     buffer.depth.assign(samples, 0.0F);
-    buffer.owner.resize(samples);
+    buffer.owner.resize(samples + max_lanes);
     with_lanes(frame.settings.lanes, [&]<int N>() {
         TileVisibility<N> visibility(frame, buffer);
         for (std::size_t chunk = 0; chunk < frame.chunks.size(); ++chunk) {

@@ -30,16 +30,14 @@ struct Lit {
     // A normal of length zero reflects ambient light only; one that looks away is taken as it is.
     template <Real T, class Noting = Silent>
     Rgb<T> operator()(const Varyings<T>& in, const Noting& note = {}) const {
-        return towards(normalize(eye - in.position), in.position, in.normal, note);
+        return towards(normalize(eye - in.position), in, note);
     }
-
     template <Real T, class Noting>
-    Rgb<T> towards(const Vec3<T>& V, const Vec3<T>& position, const Vec3<T>& normal,
-                   const Noting& note) const {
-        const Vec3<T> N = normalize_or(normal, Vec3<T>(T(0.0F)));
+    Rgb<T> towards(const Vec3<T>& V, const Varyings<T>& in, const Noting& note) const {
+        const Vec3<T> N = normalize_or(in.normal, Vec3<T>(T(0.0F)));
         Rgb<T> radiance(lighting.ambient * brdf.ambient_albedo());
         note("ambient", radiance);
-        for_each_light(lighting, position, [&](const Incident<T>& light) {
+        for_each_light(lighting, in.position, [&](const Incident<T>& light) {
             const Incidence<T> g = incidence(N, light.direction, V);
             const Rgb<T> f = brdf(g);
             note("N.L", g.NL);

@@ -19,7 +19,7 @@ struct LitFromAfar {
 
     template <Real T, class Noting = Silent>
     Rgb<T> operator()(const Varyings<T>& in, const Noting& note = {}) const {
-        return lit.towards(normalize(in.to_eye), Vec3<T>(T(0.0F)), in.normal, note);
+        return lit.towards(normalize(in.to_eye), {Vec3<T>(T(0.0F)), in.normal}, note);
     }
 };
 

@@ -145,6 +145,33 @@ TEST_CASE("N.V below 0: the coupled diffuse part") {
         20, 0);
 }
 
+TEST_CASE("V.R by cosines at the peak of a highlight, n = 2048") {
+    row(in_floats([]<Real T>() {
+            const double n = 2048;
+            oracle::Random random(1);
+            const auto direction = [&] {
+                return normalize_or(
+                    glm::dvec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)),
+                    glm::dvec3(0, 0, 1));
+            };
+            const auto rounded = [](const glm::dvec3& v) {
+                return normalize(vec<T>(v.x, v.y, v.z));
+            };
+            Errors worst;
+            for (int i = 0; i < 3000; ++i) {
+                const glm::dvec3 N = direction();
+                const glm::dvec3 L = direction();
+                const glm::dvec3 V = normalize(2 * dot(N, L) * N - L + 0.02 * direction());
+                const double exact = pow(v_dot_r(incidence(N, L, V)), n);
+                const Incidence<T> g = incidence(rounded(N), rounded(L), rounded(V));
+                add(worst, {std::abs(value(pow(v_dot_r_by_cosines(g), T(n))) - exact),
+                            std::abs(value(phong_lobe(g, T(n))) - exact)});
+            }
+            return worst;
+        }),
+        2e-4, 1e-4);
+}
+
 TEST_CASE("V.R a hair above 1") {
     row(in_all_numbers([]<Real T>() {
             oracle::Random random(1);

@@ -16,10 +16,10 @@
 // Varyings holds Ts and vectors of T, nothing else, and only what the shader needs: every member
 // costs time in every fragment. A last member Vec3<T> to_eye is not interpolated but known of each
 // pixel, and cheaper: the direction towards the eye, of any length; vertex() leaves it 0. The call
-// is compiled for float, for double (the reference that
-// accuracy is measured against) and for SIMD lanes; plug() makes of it what the rasterizer takes.
-// A shader may accept a second argument, a commentator: note("N.L", cosine). It is silent when
-// drawing, and lists the terms of one pixel when probing.
+// is compiled for float, for double (the reference that accuracy is measured against) and for SIMD
+// lanes; plug() makes of it what the rasterizer takes. A shader may accept a second argument, a
+// commentator: note("N.L", cosine). It is silent when drawing, and lists the terms of one pixel
+// when probing.
 #pragma once
 
 #include "framework/geometry/mesh.hpp"
@@ -75,7 +75,7 @@ class NoteTaker {
 // What the rasterizer holds of a shader: addresses. The shader itself must outlive it.
 struct Shader {
     // Varyings of the named vertices, less to_eye: varyings floats each, one vertex after the
-    // other.
+    // other. With to_eye three floats behind the last are overwritten.
     using VertexCall = void (*)(const void* shader, const Mesh&, const std::uint32_t* vertices,
                                 int count, float* out);
     // Colours of a block of fragments: varying k of fragment i is at in[k * stride + i], its red,

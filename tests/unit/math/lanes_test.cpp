@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -362,6 +363,9 @@ TEST_CASE_TEMPLATE("store_compressed keeps the answering lanes in order", F, flo
         }
         CHECK(static_cast<std::size_t>(count) == expected);
         CHECK(to[n] == (n == 16 ? 77 : 0));
+        std::array<std::int32_t, 17> again{};
+        CHECK(store_lanes(again.data(), set, iota<I>() + I(100)) == count);
+        CHECK(std::equal(to.begin(), to.begin() + count, again.begin()));
     }
 }
 

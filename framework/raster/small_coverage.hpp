@@ -45,8 +45,9 @@ class SmallCoverage {
   public:
     // Lanes whose triangles reach over few enough blocks.
     static std::uint32_t fitting(const TileSetup<N>& t) {
-        return lane_bits((blocks_behind_first(t.x0, t.x1) < I(most_blocks)) &
-                         (blocks_behind_first(t.y0, t.y1) < I(most_blocks)));
+        const M columns = blocks_behind_first(t.x0, t.x1) < I(most_blocks);
+        const M rows = blocks_behind_first(t.y0, t.y1) < I(most_blocks);
+        return lane_bits(columns & rows);
     }
 
     // Seen from one sample of every pixel. The triangle of lane i is number `triangle` + i.

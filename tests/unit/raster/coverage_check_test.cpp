@@ -236,7 +236,7 @@ TEST_CASE("right rasterizers pass, whatever the order and the length of their ru
 TEST_CASE("each wrong rasterizer is caught, and each kind catches some") {
     std::map<std::string_view, int> caught;
     for (const auto& [name, rasterizer] : wrong_rasterizers()) {
-        const Verdict verdict = check_all(rasterizer, 1000);
+        const Verdict verdict = check_all(rasterizer, 400);
         MESSAGE(name << ": caught by " << verdict.failing_kinds.size() << " kinds, in "
                      << verdict.failures << " of " << verdict.cases << " cases");
         CHECK(verdict.failing_kinds.size() > 0);

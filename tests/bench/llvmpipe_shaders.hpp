@@ -19,7 +19,7 @@ void main() {
 )";
 
 // The way to the eye by an interpolated position: by gl_FragCoord, as Glint has it from the pixel,
-// llvmpipe takes 15 % longer. LIGHTS is defined in front of it, as a literal, so that the loop is
+// llvmpipe takes longer. LIGHTS is defined in front of it, as a literal, so that the loop is
 // unrolled.
 inline constexpr const char* fragment_glsl = R"(
 precision highp float;

@@ -17,7 +17,7 @@ struct SoftBox {
 
 template <Real T>
 T radiance_of(const SoftBox& box, const Vec3<T>& direction) {
-    const float soft = 0.06F;
+    const float soft = 0.09F;
     const T depth = dot(Vec3<T>(box.towards), direction);
     const auto inside = [&](const glm::vec3& axis, float half) {
         const T from_edge = half * depth - abs(dot(Vec3<T>(axis), direction));

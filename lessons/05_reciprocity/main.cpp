@@ -58,7 +58,7 @@ struct Dome {
                         : shows == Shows::viewer_fixed ? brdf(swapped(g)).g
                                                        : abs(reciprocity_error(brdf, g).g);
         const T x = value / most;
-        const Rgb<T> over(clamp((x - T(1.0F)) * 10.0F, T(0.0F), T(1.0F)));
+        const Rgb<T> over(clamp((x - T(1.0F)) * 3.0F, T(0.0F), T(1.0F)));
         const Rgb<T> colour = mix(false_colour(min(x, T(1.0F))), false_colour(T(2.0F)), over);
         const T away = length(moving - Vec3<T>(fixed));  // keeps digits that L.V near 1 has lost
         const Rgb<T> spot(clamp((T(0.0586F) - away) * 60.0F, T(0.0F), T(1.0F)));

@@ -23,9 +23,9 @@ TEST_CASE("a soft box is bright in its middle, half as bright inside its edge an
     CHECK(radiance_of(box, glm::vec3(0, 0, 1)) == 3.0F);
     CHECK(radiance_of(box, glm::vec3(0, 0, -1)) == 0.0F);
     const auto at = [&](float x, float y) { return radiance_of(box, glm::vec3(x, y, 1)); };
-    CHECK(at(0.43F, 0.18F) == doctest::Approx(3.0F));
-    CHECK(at(0.47F, 0) == doctest::Approx(1.5F));
-    CHECK(at(0, -0.22F) == doctest::Approx(1.5F));
+    CHECK(at(0.40F, 0.15F) == doctest::Approx(3.0F));
+    CHECK(at(0.455F, 0) == doctest::Approx(1.5F));
+    CHECK(at(0, -0.205F) == doctest::Approx(1.5F));
     CHECK(at(0.51F, 0) == 0.0F);
     CHECK(at(0, 0.26F) == 0.0F);
 }

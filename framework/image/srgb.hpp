@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace glint {
 
@@ -51,21 +50,6 @@ inline constexpr auto linear_of_code = [] {
     return linear;
 }();
 
-// The least float whose code is higher: the first at or above the linear value that is encoded half
-// way to the next code.
-inline constexpr auto end_of_code = [] {
-    std::array<float, 256> end{};
-    for (std::size_t code = 0; code < 255; ++code) {
-        const double exact = srgb_decode((static_cast<double>(code) + 0.5) / 255.0);
-        end[code] = static_cast<float>(exact);
-        if (static_cast<double>(end[code]) < exact) {
-            end[code] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(end[code]) + 1);
-        }
-    }
-    end[255] = std::numeric_limits<float>::infinity();
-    return end;
-}();
-
 // 255 * 1.055 * 2^(e/2.4) for e = -15 to 0.
 inline constexpr auto scale_of_octave = [] {
     std::array<float, 16> scale{};
@@ -76,83 +60,55 @@ inline constexpr auto scale_of_octave = [] {
     return scale;
 }();
 
+// mantissa^(1/2.4) for 1 <= mantissa < 2: a minimax fit of degree 4, relative error 9.1e-6.
+struct Power {
+    template <class F>
+    F operator()(const F& mantissa) const {
+        return polynomial(mantissa, 0.410369515F, 0.831304669F, -0.320840806F, 0.090199925F,
+                          -0.0110241994F);
+    }
+};
+
 // 255 times the curve, plus 1/2: the code in bits 12 to 19, its fraction below them, off by less
-// than the last bit. For 0 <= x <= 1.
-template <class F>
-IntOf<F> code_and_fraction(F x) {
+// than the last bit and what power is off by. For 0 <= x <= 1.
+template <class F, class Fit = Power>
+IntOf<F> code_and_fraction(F x, const Fit& power = {}) {
     using I = IntOf<F>;
     const I bits = bits_of(x);
     const F mantissa = float_from_bits((bits & I(0x7fffff)) | I(0x3f800000));
-    // mantissa^(1/2.4): a minimax fit of degree 6, relative error 1.9e-7.
-    const F power = polynomial(mantissa, 0.350306869F, 1.06413138F, -0.687737048F, 0.390423328F,
-                               -0.145197615F, 0.0309279542F, -0.00285470439F);
     const F scale = lookup16(scale_of_octave.data(), bits >> 23);
     // From 2048 to 4096, the last place of a float is 2^-12.
-    const F curve = fma(scale, power, F(2048.0F + 0.5F - 255.0F * 0.055F));
+    const F curve = fma(scale, power(mantissa), F(2048.0F + 0.5F - 255.0F * 0.055F));
     const F line = fma(x, F(255.0F * 12.92F), F(2048.0F + 0.5F));
     return bits_of(select(x <= F(0.0031308F), line, curve));
 }
 
-// Whether the code may be a neighbour's: the fraction is all zeros or all ones.
-template <class I>
-auto is_doubtful(const I& code_and_fraction) {
-    return ((code_and_fraction + I(1)) & I(0xffe)) == I(0);
-}
-
-// The code of 0 <= x <= 1, doubtful or not.
 template <class F>
-IntOf<F> exact_code(F x) {
-    using I = IntOf<F>;
-    const I low = ((code_and_fraction(x) - I(1)) >> 12) & I(255);
-    return low + select(x >= gather(end_of_code.data(), low), I(1), I(0));
-}
-
-// Not inlined, or opaque_code() would save registers for it, needed or not.
-template <class F>
-[[gnu::noinline]] IntOf<F> exact_codes(F r, F g, F b) {
-    return exact_code(r) | (exact_code(g) << 8) | (exact_code(b) << 16);
-}
-
-template <class F>
-F limited(F linear) {
-    return min(max(linear, F(0.0F)), F(1.0F));
+IntOf<F> limited_code_and_fraction(F linear) {
+    return code_and_fraction(min(max(linear, F(0.0F)), F(1.0F)));
 }
 
 }  // namespace srgb
 
-// The code, 0..255, nearest to 255 times the curve as if computed exactly; 0 for NaN. F is float or
-// lanes.
+// The code, 0..255, nearest to 255 times the curve; within 1/300 of half way between two codes it
+// may be either. 0 for NaN. F is float or lanes.
 template <class F>
 IntOf<F> srgb_code(F linear) {
     using I = IntOf<F>;
-    const F x = srgb::limited(linear);
-    const I code = srgb::code_and_fraction(x);
-    if (any(srgb::is_doubtful(code))) [[unlikely]] {
-        return srgb::exact_code(x);
-    }
-    return (code >> 12) & I(255);
+    return (srgb::limited_code_and_fraction(linear) >> 12) & I(255);
 }
 
-// The codes of a linear colour, opaque, as Rgba8 lies in memory: one test for all three.
+// The codes of a linear colour, opaque, as Rgba8 lies in memory. Inlined, or constants would be
+// loaded anew for every register.
 template <class F>
 [[gnu::always_inline]] inline IntOf<F> opaque_code(F r, F g, F b) {
     using I = IntOf<F>;
     static_assert(std::endian::native == std::endian::little);
-    const I opaque(static_cast<std::int32_t>(0xFF000000U));
-    r = srgb::limited(r);
-    g = srgb::limited(g);
-    b = srgb::limited(b);
-    const I red = srgb::code_and_fraction(r);
-    const I green = srgb::code_and_fraction(g);
-    const I blue = srgb::code_and_fraction(b);
-    const auto doubt_r = srgb::is_doubtful(red);
-    const auto doubt_g = srgb::is_doubtful(green);
-    const auto doubt_b = srgb::is_doubtful(blue);
-    if (any(doubt_r | doubt_g | doubt_b)) [[unlikely]] {
-        return srgb::exact_codes(r, g, b) | opaque;
-    }
+    const I red = srgb::limited_code_and_fraction(r);
+    const I green = srgb::limited_code_and_fraction(g);
+    const I blue = srgb::limited_code_and_fraction(b);
     return ((red >> 12) & I(0xff)) | ((green >> 4) & I(0xff00)) | ((blue << 4) & I(0xff0000)) |
-           opaque;
+           I(static_cast<std::int32_t>(0xFF000000U));
 }
 
 inline std::uint8_t linear_to_srgb(float linear) {

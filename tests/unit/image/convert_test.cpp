@@ -13,8 +13,8 @@ TEST_CASE("radiance is clamped and encoded, pixel by pixel") {
     LinearImage image(2, 2);
     image(0, 0) = {0.0F, 0.5F, 1.0F};
     image(1, 0) = {-1.0F, 2.0F, nan};
-    image(0, 1) = {infinity, -infinity, 0.21404114F};  // the last is half of the code range
-    image(1, 1) = {0.0F, 0.0F, 0.003035F};             // one hundredth of it, on the straight part
+    image(0, 1) = {infinity, -infinity, 0.2158605F};  // the last is 128/255 of the code range
+    image(1, 1) = {0.0F, 0.0F, 0.003035F};            // one hundredth of it, on the straight part
     const SrgbImage codes = to_srgb(image);
     CHECK(codes.width() == 2);
     CHECK(codes.height() == 2);

@@ -1,5 +1,6 @@
-// Coverage of triangles of any size: a row of blocks at a time is sorted into those outside, those
-// covered entirely and those that an edge crosses.
+// Coverage of triangles of any size: blocks are sorted, a row at a time, into those outside, those
+// covered entirely and those that an edge crosses; then drawn kind by kind, with no branch to
+// mispredict.
 #pragma once
 
 #include "framework/raster/block.hpp"
@@ -45,49 +46,55 @@ class LargeCoverage {
 
     // depth and owner: of the tile.
     void draw(float* depth, std::int32_t* owner, std::int32_t triangle) const {
-        const std::ptrdiff_t first = (first_row_ * tile_blocks + first_column_) * block_pixels;
+        Blocks full;
+        Blocks partial;
         for (std::int32_t row = 0; row < rows_; ++row) {
-            std::uint32_t touched = 0;
-            std::uint32_t full = 0;
-            classify_row(row, touched, full);
-            for (; touched != 0; touched &= touched - 1) {
-                const std::int32_t column = std::countr_zero(touched);
-                const std::ptrdiff_t at = first + (row * tile_blocks + column) * block_pixels;
-                if ((full >> column & 1U) != 0) {
-                    draw_block<true>(column, row, depth + at, owner + at, triangle);
-                } else {
-                    draw_block<false>(column, row, depth + at, owner + at, triangle);
-                }
-            }
+            list_row(row, full, partial);
+        }
+        const std::ptrdiff_t first = (first_row_ * tile_blocks + first_column_) * block_pixels;
+        for (std::int32_t i = 0; i < full.count; ++i) {
+            draw_block<true>(full.place[i], depth + first, owner + first, triangle);
+        }
+        for (std::int32_t i = 0; i < partial.count; ++i) {
+            draw_block<false>(partial.place[i], depth + first, owner + first, triangle);
         }
     }
 
   private:
-    // Of a row of blocks: which the triangle may touch, and which it covers entirely.
-    void classify_row(std::int32_t row, std::uint32_t& touched, std::uint32_t& full) const {
-        std::uint32_t outside = 0;
-        std::uint32_t partial = 0;
+    // Blocks of a tile, as tile_blocks times the row plus the column.
+    struct Blocks {
+        std::int32_t count = 0;
+        std::int32_t place[tile_blocks * tile_blocks + N];  // what sticks out is overwritten
+
+        void add(std::uint32_t lanes, const I& places) {
+            count += store_lanes(&place[count], lanes, places);
+        }
+    };
+
+    // Of a row of blocks: those that the triangle covers entirely, and those that an edge crosses.
+    void list_row(std::int32_t row, Blocks& full, Blocks& partial) const {
         for (int first = 0; first < columns_; first += N) {
             const I column = iota<I>() + I(first);
-            M out = false;
-            M part = false;
+            M outside = column >= I(columns_);
+            M crossed = false;
             for (std::size_t i = 0; i < 3; ++i) {
                 const I e = I(e_[i] + b_[i] * block_size * row) + I(a_[i] * block_size) * column;
                 const std::int32_t a = a_[i] * (block_size - 1);
                 const std::int32_t b = b_[i] * (block_size - 1);
-                out = out | (e + I(std::max(a, 0) + std::max(b, 0)) < I(0));
-                part = part | (e + I(std::min(a, 0) + std::min(b, 0)) < I(0));
+                outside = outside | (e + I(std::max(a, 0) + std::max(b, 0)) < I(0));
+                crossed = crossed | (e + I(std::min(a, 0) + std::min(b, 0)) < I(0));
             }
-            outside |= lane_bits(out) << first;
-            partial |= lane_bits(part) << first;
+            const I place = column + I(row * tile_blocks);
+            full.add(lane_bits(!(outside | crossed)), place);
+            partial.add(lane_bits(crossed & !outside), place);
         }
-        touched = ~outside & ((1U << columns_) - 1);
-        full = ~partial;
     }
 
     template <bool full>
-    void draw_block(std::int32_t column, std::int32_t row, float* depth, std::int32_t* owner,
+    void draw_block(std::int32_t place, float* depth, std::int32_t* owner,
                     std::int32_t triangle) const {
+        const std::int32_t column = place % tile_blocks;
+        const std::int32_t row = place / tile_blocks;
         const T block_x(static_cast<float>(column * block_size));
         const T block_y(static_cast<float>(row * block_size));
         for (int p = 0; p < parts; ++p) {
@@ -100,8 +107,9 @@ class LargeCoverage {
                 }
                 covered = signs >= I(0);
             }
-            put_nearer<N>(covered, plane_.at(x_[p] + block_x, y_[p] + block_y), depth + p * N,
-                          owner + p * N, triangle);
+            const std::int32_t at = place * block_pixels + p * N;
+            put_nearer<N>(covered, plane_.at(x_[p] + block_x, y_[p] + block_y), depth + at,
+                          owner + at, triangle);
         }
     }
 

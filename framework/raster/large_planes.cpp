@@ -78,13 +78,14 @@ void set_up_large_planes(const Frame& frame, const TileBuffer& tile, const Scree
     const std::size_t nearest = nearest_corner(triangle);
     const auto count = static_cast<std::size_t>(shader.varyings);
     for (std::size_t k = 0; k < count; ++k) {
-        const auto first = static_cast<double>(c[nearest][k]);
+        const double first = shader.directions_only ? 0.0 : static_cast<double>(c[nearest][k]);
         const glm::dvec3 rise = (glm::dvec3(c[0][k], c[1][k], c[2][k]) - first) * unit;
         float* out = planes + (4 + k) * lanes;
-        out[0] = c[nearest][k];
+        const auto at_anchor = static_cast<float>(dot(rise, at));
+        out[0] = shader.directions_only ? at_anchor : c[nearest][k];
         out[count * lanes] = static_cast<float>(dot(rise, right));
         out[2 * count * lanes] = static_cast<float>(dot(rise, down));
-        out[3 * count * lanes] = static_cast<float>(dot(rise, at));
+        out[3 * count * lanes] = at_anchor;
     }
 }
 

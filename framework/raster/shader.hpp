@@ -15,11 +15,18 @@
 //
 // Varyings holds Ts and vectors of T, nothing else, and only what the shader needs: every member
 // costs time in every fragment. A last member Vec3<T> to_eye is not interpolated but known of each
-// pixel, and cheaper: the direction towards the eye, of any length; vertex() leaves it 0. The call
-// is compiled for float, for double (the reference that accuracy is measured against) and for SIMD
-// lanes; plug() makes of it what the rasterizer takes. A shader may accept a second argument, a
-// commentator: note("N.L", cosine). It is silent when drawing, and lists the terms of one pixel
-// when probing.
+// pixel, and cheaper: the direction towards the eye, of any length; vertex() leaves it 0. A shader
+// that asks for the directions of its varyings alone, and so for no length, may say
+//
+//     static constexpr bool directions_only = true;
+//
+// Perspective-correct interpolation ends with a quotient by the interpolated 1/w, which lengthens a
+// fragment's varyings, all by the same, and turns none: it is then left out.
+//
+// The call is compiled for float, for double (the reference that accuracy is measured against) and
+// for SIMD lanes; plug() makes of it what the rasterizer takes. A shader may accept a second
+// argument, a commentator: note("N.L", cosine). It is silent when drawing, and lists the terms of
+// one pixel when probing.
 #pragma once
 
 #include "framework/geometry/mesh.hpp"
@@ -91,6 +98,7 @@ struct Shader {
     const void* shader = nullptr;
     int varyings = 0;  // to be interpolated
     bool to_eye = false;
+    bool directions_only = false;  // what is interpolated may be of any length
     VertexCall vertex = nullptr;
     ShadeCall<float> shade_1 = nullptr;
     ShadeCall<float> shade_4 = nullptr;
@@ -121,6 +129,11 @@ inline constexpr bool takes_to_eye = requires(Varyings<S, float> v) {
 
 template <class S>
 inline constexpr int interpolated = count<S> - (takes_to_eye<S> ? 3 : 0);
+
+template <class S>
+inline constexpr bool directions_only = requires {
+    requires S::directions_only;
+};
 
 template <class S>
 constexpr bool to_eye_is_last() {
@@ -192,6 +205,7 @@ Shader plug(const S& shader) {
     Shader p{.shader = &shader,
              .varyings = interpolated<S>,
              .to_eye = takes_to_eye<S>,
+             .directions_only = directions_only<S>,
              .vertex = vertex<S>,
              .shade_1 = shade<S, float, float>,
              .shade_4 = shade<S, Float<4>, float>,

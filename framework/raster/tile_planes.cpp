@@ -198,7 +198,7 @@ class PlaneSetup {
         if (done == 0) {
             return 0;
         }
-        if ((lane_bits(slopes.steep) & done) != 0) {
+        if ((lane_bits(slopes.steep) & done) != 0 && !shader.directions_only) {
             tile_.anchored_at_corners = false;
         }
         const I dx1 = select(small, x[1] - x[0], I(0));
@@ -220,12 +220,13 @@ class PlaneSetup {
         const T rise[2] = {(s[1] - s[0]) * unit, (s[2] - s[0]) * unit};
         store(planes + 2 * N, slopes.dx(rise[0], rise[1]));
         store(planes + 3 * N, slopes.dy(rise[0], rise[1]));
-        store_varyings(varyings, static_cast<std::size_t>(shader.varyings), slopes, planes + 4 * N);
+        store_varyings(varyings, shader, slopes, planes + 4 * N);
         return done;
     }
 
-    static void store_varyings(const GroupVaryings& varyings, std::size_t count,
+    static void store_varyings(const GroupVaryings& varyings, const Shader& shader,
                                const Slopes& slopes, float* planes) {
+        const auto count = static_cast<std::size_t>(shader.varyings);
         for (std::size_t k = 0; k < count; k += 4) {
             Rows<T> four[3];
             for (std::size_t i = 0; i < 3; ++i) {
@@ -238,12 +239,20 @@ class PlaneSetup {
             for (std::size_t j = 0; j < std::min<std::size_t>(4, count - k); ++j) {
                 T corner[3] = {four[0][j], four[1][j], four[2][j]};
                 slopes.turn(corner);
+                float* out = planes + (k + j) * N;
+                if (shader.directions_only) {
+                    const T rise1 = corner[1] * slopes.weight[0] - corner[0];
+                    const T rise2 = corner[2] * slopes.weight[1] - corner[0];
+                    store(out, corner[0]);
+                    store(out + count * N, slopes.dx(rise1, rise2));
+                    store(out + 2 * count * N, slopes.dy(rise1, rise2));
+                    continue;
+                }
                 const T nearest = select(slopes.second, corner[2], corner[1]);
                 const T first = select(slopes.steep, nearest, corner[0]);
                 const T d0 = corner[0] - first;
                 const T rise1 = (corner[1] - first) * slopes.weight[0] - d0;
                 const T rise2 = (corner[2] - first) * slopes.weight[1] - d0;
-                float* out = planes + (k + j) * N;
                 store(out, first);
                 store(out + count * N, slopes.dx(rise1, rise2));
                 store(out + 2 * count * N, slopes.dy(rise1, rise2));

@@ -13,6 +13,11 @@ namespace glint {
 // where 1/w more than doubles, first is of the nearest, so that near the eye nothing large cancels.
 // Where neither holds for any triangle of a tile, all d0 are 0 and not asked for.
 //
+// Of shaders that ask for directions only, they are instead the planes of S(x, y) times the
+// varyings,
+//     first[k] + dx[k] x + dy[k] y
+// where first[k] is the value at the anchor, and neither d0 nor S is asked for.
+//
 // N triangles that follow each other in the tile, from a multiple of N on, are a group. Their
 // planes are set up together and lie side by side: value j of a triangle is N floats from its value
 // j + 1. The values are

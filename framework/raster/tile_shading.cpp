@@ -62,14 +62,12 @@ class TileShading {
         tile_.radiance.resize(3 * batch);
         float* in = tile_.varyings.data();
         float* out = tile_.radiance.data();
-        const WayToEye<N> to_eye(frame_, tile_);
-        for (std::size_t i = 0; i < n; i += N) {
-            const std::size_t count = std::min<std::size_t>(N, n - i);
-            const auto [x, y] = place(begin + i, count);
-            interpolate(begin + i, count, shader.varyings, x, y, in + i);
-            if (shader.to_eye) {
-                to_eye.store_at(x, y, in + shader.varyings * batch + i);
-            }
+        if (shader.directions_only) {
+            interpolate<Form::directions>(shader, begin, n, in);
+        } else if (tile_.anchored_at_corners) {
+            interpolate<Form::at_corners>(shader, begin, n, in);
+        } else {
+            interpolate<Form::anywhere>(shader, begin, n, in);
         }
         const auto call = N == 16  ? shader.shade_16
                           : N == 8 ? shader.shade_8
@@ -85,36 +83,47 @@ class TileShading {
         }
     }
 
-    // Where up to N fragments are, in pixels from the tile's corner; lanes beyond repeat the last.
-    struct Place {
-        T x, y;
-    };
-    Place place(std::size_t begin, std::size_t n) const {
-        const I pixel = load_padded<I>(&tile_.pixels()[begin], n);
-        Place p{to_float(pixel_column(pixel)) + T(0.5F), to_float(pixel_row(pixel)) + T(0.5F)};
-        if (multisampled_) {
-            p.x += load_padded<T>(&tile_.fragment_x[begin], n);
-            p.y += load_padded<T>(&tile_.fragment_y[begin], n);
+    // What the planes of a tile are: see tile_planes.hpp. anywhere is of varyings, too, but with
+    // d0.
+    enum class Form { directions, at_corners, anywhere };
+
+    template <Form form>
+    void interpolate(const Shader& shader, std::size_t begin, std::size_t n, float* out) const {
+        const WayToEye<N> to_eye(frame_, tile_);
+        for (std::size_t i = 0; i < n; i += N) {
+            const std::size_t count = std::min<std::size_t>(N, n - i);
+            const I pixel = load_padded<I>(&tile_.pixels()[begin + i], count);
+            T x = to_float(pixel_column(pixel)) + T(0.5F);  // from the tile's corner
+            T y = to_float(pixel_row(pixel)) + T(0.5F);
+            if (multisampled_) {
+                x += load_padded<T>(&tile_.fragment_x[begin + i], count);
+                y += load_padded<T>(&tile_.fragment_y[begin + i], count);
+            }
+            interpolate_at<form>(begin + i, count, shader.varyings, x, y, out + i);
+            if (shader.to_eye) {
+                to_eye.store_at(x, y, out + shader.varyings * batch + i);
+            }
         }
-        return p;
     }
 
     // The varyings of up to N fragments.
-    void interpolate(std::size_t begin, std::size_t n, int varyings, T x, T y, float* out) const {
+    template <Form form>
+    void interpolate_at(std::size_t begin, std::size_t n, int varyings, T x, T y,
+                        float* out) const {
         const std::int32_t* triangle = &tile_.owners()[begin];
         const I triangles = load_padded<I>(triangle, n);
         const std::int32_t last = triangle[n - 1];
         const M of_first = triangles == I(triangle[0]);
         if (!all(of_first | (triangles == I(last)))) {
-            interpolate_across(triangle, n, triangles, varyings, x, y, out);
+            interpolate_across<form>(triangle, n, triangles, varyings, x, y, out);
             return;
         }
         const TrianglePlanes<N> planes(tile_, triangle[0]);
-        interpolate_by(planes, x, y, varyings,
-                       [&](int k, const T& value) { store(out + k * batch, value); });
+        interpolate_by<form>(planes, x, y, varyings,
+                             [&](int k, const T& value) { store(out + k * batch, value); });
         if (last != triangle[0]) {
             const TrianglePlanes<N> others(tile_, last);
-            interpolate_by(others, x, y, varyings, [&](int k, const T& value) {
+            interpolate_by<form>(others, x, y, varyings, [&](int k, const T& value) {
                 store(out + k * batch, select(of_first, load<T>(out + k * batch), value));
             });
         }
@@ -122,6 +131,7 @@ class TileShading {
 
     // Of several triangles: one round for every two groups. Not inlined, for it would take the
     // registers of what is frequent.
+    template <Form form>
     [[gnu::noinline]] void interpolate_across(const std::int32_t* triangle, std::size_t n,
                                               I triangles, int varyings, T x, T y,
                                               float* out) const {
@@ -140,24 +150,33 @@ class TileShading {
             const GroupPlanes<N> planes(tile_, first, second,
                                         select(in_first, place, place + I(N)));
             const M mine = in_first | in_second;
-            interpolate_by(planes, x, y, varyings, [&](int k, const T& value) {
+            interpolate_by<form>(planes, x, y, varyings, [&](int k, const T& value) {
                 store(out + k * batch, select(mine, value, load<T>(out + k * batch)));
             });
         }
     }
 
     // Calls put(k, varying k) for each. Rounds the same way whatever the planes.
-    template <class Planes, class Put>
-    void interpolate_by(const Planes& planes, T x, T y, int varyings, Put&& put) const {
-        const bool at_corners = tile_.anchored_at_corners;
+    template <Form form, class Planes, class Put>
+    static void interpolate_by(const Planes& planes, T x, T y, int varyings, Put&& put) {
         x -= planes.value(0);
         y -= planes.value(1);
-        const T w = reciprocal(fma(planes.value(3), y, fma(planes.value(2), x, T(1.0F))));
+        T w(1.0F);
+        if constexpr (form != Form::directions) {
+            w = reciprocal(fma(planes.value(3), y, fma(planes.value(2), x, T(1.0F))));
+        }
         for (int k = 0; k < varyings; ++k) {
+            const T first = planes.value(4 + k);
             const T dx = planes.value(4 + varyings + k);
             const T dy = planes.value(4 + 2 * varyings + k);
-            const T right = at_corners ? dx * x : fma(dx, x, planes.value(4 + 3 * varyings + k));
-            put(k, fma(fma(dy, y, right), w, planes.value(4 + k)));
+            if constexpr (form == Form::directions) {
+                put(k, fma(dy, y, fma(dx, x, first)));
+            } else if constexpr (form == Form::at_corners) {
+                put(k, fma(fma(dy, y, dx * x), w, first));
+            } else {
+                const T d0 = planes.value(4 + 3 * varyings + k);
+                put(k, fma(fma(dy, y, fma(dx, x, d0)), w, first));
+            }
         }
     }
 

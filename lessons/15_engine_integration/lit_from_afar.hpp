@@ -1,6 +1,6 @@
 // Lesson 4's sum for scenes without point lights: where lamps are infinitely far, a fragment's
 // place tells only where the eye is, and that its pixel tells as well. Three varyings instead of
-// six.
+// six, and of neither does the length count.
 #pragma once
 
 #include "lessons/04_rendering_equation/rendering_equation.hpp"
@@ -9,6 +9,7 @@ namespace glint {
 
 template <class Brdf>
 struct LitFromAfar {
+    static constexpr bool directions_only = true;
     Lit<Brdf> lit;  // without point lights; its eye is not asked for
 
     template <class T>

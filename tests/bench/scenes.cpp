@@ -42,12 +42,12 @@ Mesh shells(int count) {
     return all;
 }
 
-// 69 k triangles with bumps that hide each other, the size of the scanned bunny.
+// 69 k triangles with bumps that hide each other, over as many pixels as the scanned bunny.
 Mesh bumpy_ball() {
     Mesh ball = sphere(1, 264, 132);
     for (glm::vec3& p : ball.positions) {
         const float bumps = std::sin(7 * p.x) * std::sin(8 * p.y) * std::sin(9 * p.z);
-        p *= 0.075F * (1 + 0.2F * bumps);
+        p *= 0.0675F * (1 + 0.2F * bumps);
         p += glm::vec3(-0.017F, 0.11F, 0);
     }
     std::fill(ball.normals.begin(), ball.normals.end(), glm::vec3(0));

@@ -120,7 +120,8 @@ class Planner {
     }
     bool is_within(const Levels& levels) const { return error(way(levels)) <= options_.tolerance; }
 
-    // Each choice alone, then all at once; where that is too much, the last is made dearer.
+    // Each choice alone, then all at once; where that is too much, the one that then costs least is
+    // made dearer.
     Levels cheapest_together() const {
         Levels levels(choices_.size());
         if (own_error_ > options_.tolerance) {
@@ -135,26 +136,49 @@ class Planner {
             levels[i] = alone[i];
         }
         while (!is_within(levels)) {
-            const auto last = std::find_if(levels.rbegin(), levels.rend(),
-                                           [](std::size_t level) { return level > 0; });
-            if (last == levels.rend()) {
-                break;
+            std::vector<Levels> dearer;
+            for (std::size_t i = 0; i < levels.size(); ++i) {
+                if (levels[i] > 0) {
+                    dearer.push_back(levels);
+                    --dearer.back()[i];
+                }
             }
-            --*last;
+            levels = fastest(dearer);
         }
         return levels;
     }
 
-    // Errors and times, the times in turns.
+    Levels fastest(const std::vector<Levels>& all) const {
+        std::vector<Way> ways;
+        std::vector<Way*> timed;
+        for (const Levels& levels : all) {
+            ways.push_back(way(levels));
+        }
+        for (Way& w : ways) {
+            timed.push_back(&w);
+        }
+        measure_times(timed);
+        const auto least = std::ranges::min_element(ways, {}, &Way::ms);
+        return all[static_cast<std::size_t>(least - ways.begin())];
+    }
+
+    // Errors and times.
     void measure(Plan& plan) const {
         std::vector<Way*> ways{&plan.full, &plan.chosen};
         for (Saving& s : plan.savings) {
             ways.push_back(&s.without);
         }
+        for (Way* w : ways) {
+            w->error = error(*w);
+        }
+        measure_times(ways);
+    }
+
+    // In turns.
+    void measure_times(const std::vector<Way*>& ways) const {
         std::vector<Renderer> renderers;
         std::vector<ShaderSet> sets;
         for (Way* w : ways) {
-            w->error = error(*w);
             w->ms = std::numeric_limits<double>::infinity();
             renderers.emplace_back(options_for(*w).settings);
             sets.push_back(lesson_.shaders(scene_, w->parameters));

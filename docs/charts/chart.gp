@@ -81,7 +81,8 @@ do for [kind in "svg png"] {
     set yrange [bottom : top]
     set ytics 10 ** floor(log10(low)), decades > 8 ? 100 : 10
     set xtics auto
-    set for [k = -9:9] for [digit in (decades < 3 ? "2 5" : "")] ytics add (digit * 10.0 ** k)
+    set for [k = -9:9] for [digit in (decades < 3 ? "2 5" : "")] ytics add \
+      (zero && digit * 10.0 ** k < low ? 10.0 ** ceil(log10(low)) : digit * 10.0 ** k)
     set for [k = -9:9] for [digit in (spread < 1.5 ? "2 5" : "")] xtics add (digit * 10.0 ** k)
     set format y (decades > 4 ? "10^{%T}" : "%g")
     if (zero) { set ytics add ("0" floor_at) }

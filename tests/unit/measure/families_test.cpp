@@ -41,7 +41,7 @@ TEST_CASE("the errors of Fresnel's approximations are those of the literature") 
     CHECK(largest("approximate conductor", "glass") == doctest::Approx(0.0987).epsilon(0.01));
 }
 
-TEST_CASE("codes that are mended are right, Glint's but for edges, and what is known to be bad is") {
+TEST_CASE("mended codes are right, Glint's but for edges, and what is known to be bad is bad") {
     const auto all = srgb_contenders();
     for (const char* inputs : {"even in light", "even in codes", "at the edges of codes"}) {
         CAPTURE(inputs);

@@ -5,7 +5,7 @@
 
 namespace glint {
 
-// Clamped to 0..1 and rounded to the nearest code; NaN is black. Opaque.
+// By srgb_code(): clamped to 0..1 and rounded; NaN is black. Opaque.
 SrgbImage to_srgb(const LinearImage& image);
 
 // 0..1. Alpha is dropped.

@@ -83,8 +83,7 @@ class TileShading {
         }
     }
 
-    // What the planes of a tile are: see tile_planes.hpp. anywhere is of varyings, too, but with
-    // d0.
+    // What the planes are: see tile_planes.hpp. Those that are anchored at corners have no d0.
     enum class Form { directions, at_corners, anywhere };
 
     template <Form form>

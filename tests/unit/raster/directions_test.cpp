@@ -30,7 +30,7 @@ Mesh random_mesh() {
     Mesh mesh;
     std::mt19937 random(7);
     std::uniform_real_distribution<float> any(-1, 1);
-    const auto anywhere = [&] { return glm::vec3(any(random), any(random), any(random)); };
+    const auto anywhere = [&] { return glm::vec3{any(random), any(random), any(random)}; };
     for (std::uint32_t i = 0; i < 3000; ++i) {
         const float size = std::exp2(-9 * std::abs(any(random)));
         const glm::vec3 middle = 3.0F * anywhere();
@@ -57,7 +57,7 @@ TEST_CASE("directions need no quotient by 1/w") {
             CAPTURE(words(settings));
             const Drawn a = draw(mesh, view, plug(exact), settings);
             const Drawn b = draw(mesh, view, plug(only), settings);
-            REQUIRE(a.statistics.triangles_visible > 100);
+            REQUIRE(a.statistics.triangles_visible > 50);
             double worst = 0;
             for (std::size_t i = 0; i < a.linear.pixels().size(); ++i) {
                 worst = worse(worst, length(a.linear.pixels()[i] - b.linear.pixels()[i]));

@@ -149,13 +149,11 @@ class Planner {
     }
 
     Levels fastest(const std::vector<Levels>& all) const {
-        std::vector<Way> ways;
-        std::vector<Way*> timed;
-        for (const Levels& levels : all) {
-            ways.push_back(way(levels));
-        }
-        for (Way& w : ways) {
-            timed.push_back(&w);
+        std::vector<Way> ways(all.size());
+        std::vector<Way*> timed(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            ways[i] = way(all[i]);
+            timed[i] = &ways[i];
         }
         measure_times(timed);
         const auto least = std::ranges::min_element(ways, {}, &Way::ms);

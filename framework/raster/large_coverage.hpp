@@ -1,5 +1,5 @@
-// Coverage of triangles of any size: blocks are sorted, a row at a time, into those outside, those
-// covered entirely and those that an edge crosses; then drawn kind by kind, with no branch to
+// Coverage of triangles of any size: blocks are sorted, some columns at a time, into those outside,
+// those covered entirely and those that an edge crosses; then drawn kind by kind, with no branch to
 // mispredict.
 #pragma once
 
@@ -7,9 +7,23 @@
 #include "framework/raster/tile_setup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 
 namespace glint {
+
+// By block of a tile: its first column, or row. Looked up, for turning integers into floats and
+// those into registers takes longer than a block's depths.
+template <bool rows>
+inline constexpr auto first_pixels = [] {
+    std::array<float, static_cast<std::size_t>(tile_blocks * tile_blocks)> all{};
+    for (std::size_t block = 0; block < all.size(); ++block) {
+        all[block] =
+            static_cast<float>(block_size * (rows ? block / tile_blocks : block % tile_blocks));
+    }
+    return all;
+}();
 
 // One triangle over the samples of one kind (one offset) of a tile. Blocks and pixels count from
 // the first block that the triangle may cover.
@@ -48,8 +62,8 @@ class LargeCoverage {
     void draw(float* depth, std::int32_t* owner, std::int32_t triangle) const {
         Blocks full;
         Blocks partial;
-        for (std::int32_t row = 0; row < rows_; ++row) {
-            list_row(row, full, partial);
+        for (std::int32_t column = 0; column < columns_; column += N) {
+            list_columns(column, full, partial);
         }
         const std::ptrdiff_t first = (first_row_ * tile_blocks + first_column_) * block_pixels;
         for (std::int32_t i = 0; i < full.count; ++i) {
@@ -71,39 +85,48 @@ class LargeCoverage {
         }
     };
 
-    // Of a row of blocks: those that the triangle covers entirely, and those that an edge crosses.
-    void list_row(std::int32_t row, Blocks& full, Blocks& partial) const {
-        for (int first = 0; first < columns_; first += N) {
-            const I column = iota<I>() + I(first);
-            M outside = column >= I(columns_);
-            M crossed = false;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const I e = I(e_[i] + b_[i] * block_size * row) + I(a_[i] * block_size) * column;
-                const std::int32_t a = a_[i] * (block_size - 1);
-                const std::int32_t b = b_[i] * (block_size - 1);
-                outside = outside | (e + I(std::max(a, 0) + std::max(b, 0)) < I(0));
-                crossed = crossed | (e + I(std::min(a, 0) + std::min(b, 0)) < I(0));
-            }
-            const I place = column + I(row * tile_blocks);
+    // Of N columns of blocks: those that the triangle covers entirely, and those that an edge
+    // crosses.
+    void list_columns(std::int32_t first, Blocks& full, Blocks& partial) const {
+        const I column = iota<I>() + I(first);
+        const M beyond = column >= I(columns_);
+        I place = column;
+        I least[3];  // E in a block, a row of blocks at a time
+        I most[3];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int32_t a = a_[i] * (block_size - 1);
+            const std::int32_t b = b_[i] * (block_size - 1);
+            const I e = I(e_[i]) + I(a_[i] * block_size) * column;
+            least[i] = e + I(std::min(a, 0) + std::min(b, 0));
+            most[i] = e + I(std::max(a, 0) + std::max(b, 0));
+        }
+        for (std::int32_t row = 0; row < rows_; ++row) {
+            const M outside = beyond | ((most[0] | most[1] | most[2]) < I(0));
+            const M crossed = (least[0] | least[1] | least[2]) < I(0);
             full.add(lane_bits(!(outside | crossed)), place);
             partial.add(lane_bits(crossed & !outside), place);
+            for (std::size_t i = 0; i < 3; ++i) {
+                least[i] += I(b_[i] * block_size);
+                most[i] += I(b_[i] * block_size);
+            }
+            place += I(tile_blocks);
         }
     }
 
     template <bool full>
     void draw_block(std::int32_t place, float* depth, std::int32_t* owner,
                     std::int32_t triangle) const {
-        const std::int32_t column = place % tile_blocks;
-        const std::int32_t row = place / tile_blocks;
-        const T block_x(static_cast<float>(column * block_size));
-        const T block_y(static_cast<float>(row * block_size));
+        const auto block = static_cast<std::uint32_t>(place);
+        const T block_x(first_pixels<false>[block]);
+        const T block_y(first_pixels<true>[block]);
         for (int p = 0; p < parts; ++p) {
             M covered = true;
             if constexpr (!full) {
+                const auto column = static_cast<std::int32_t>(block % tile_blocks * block_size);
+                const auto row = static_cast<std::int32_t>(block / tile_blocks * block_size);
                 I signs(0);
                 for (std::size_t i = 0; i < 3; ++i) {
-                    signs =
-                        signs | (within_[i][p] + I((a_[i] * column + b_[i] * row) * block_size));
+                    signs = signs | (within_[i][p] + I(a_[i] * column + b_[i] * row));
                 }
                 covered = signs >= I(0);
             }

@@ -47,8 +47,10 @@ class FragmentList {
   private:
     bool covers_all() const {
         const float* depth = tile_.depth.data();
-        for (int pixel = 0; pixel < tile_pixels; pixel += N) {
-            if (!all(load<T>(depth + pixel) > T(0.0F))) {
+        for (int pixel = 0; pixel < tile_pixels; pixel += 4 * N, depth += 4 * N) {
+            const T least = min(min(load<T>(depth), load<T>(depth + N)),
+                                min(load<T>(depth + 2 * N), load<T>(depth + 3 * N)));
+            if (!all(least > T(0.0F))) {
                 return false;
             }
         }
@@ -131,13 +133,12 @@ std::size_t list_runs(TileBuffer& tile, std::int32_t* run) {
     using I = typename Lanes<N>::Int;
     const auto fragments = static_cast<std::int32_t>(tile.fragments);
     std::int32_t* owner = tile.owners();
-    owner[fragments] = no_triangle;  // ends the last run
+    std::fill_n(owner + fragments, N, no_triangle);  // ends the last run
     std::ptrdiff_t count = 0;
     for (std::int32_t i = 0; i < fragments; i += N) {
         const I here = load<I>(owner + i);
         const auto last = here != load<I>(owner + i + 1);
-        const auto listed = iota<I>() < I(fragments - i);
-        count += store_compressed(run + count, last & listed, here);
+        count += store_compressed(run + count, last, here);
     }
     return static_cast<std::size_t>(count);
 }

@@ -30,10 +30,7 @@ struct Lit {
     // A normal of length zero reflects ambient light only; one that looks away is taken as it is.
     template <Real T, class Noting = Silent>
     Rgb<T> operator()(const Varyings<T>& in, const Noting& note = {}) const {
-        return towards(normalize(eye - in.position), in, note);
-    }
-    template <Real T, class Noting>
-    Rgb<T> towards(const Vec3<T>& V, const Varyings<T>& in, const Noting& note) const {
+        const Vec3<T> V = normalize(eye - in.position);
         const Vec3<T> N = normalize_or(in.normal, Vec3<T>(T(0.0F)));
         Rgb<T> radiance(lighting.ambient * brdf.ambient_albedo());
         note("ambient", radiance);

@@ -2,7 +2,6 @@
 #include "lessons/15_engine_integration/engine_phong.hpp"
 #include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/shelves.hpp"
-#include "lessons/15_engine_integration/where_it_shows.hpp"
 #include "framework/app/lesson.hpp"
 
 namespace {
@@ -40,15 +39,19 @@ auto lesson_1(const Scene& s, const Material& m, const Parameters&) {
     return AdHocPhong{m, lights_without_pi(lights_for(s, m)), s.camera.eye};
 }
 
-auto with_pi(const Scene& s, const Material& m, const Parameters& p) {
+WhereItShows where_it_shows(const Material& m, const Lighting& lights, const Parameters& p) {
     const EnginePhong phong = brdf_of(m);
+    return {phong, highlight_from(phong, lights, least_highlight(p))};
+}
+
+auto with_pi(const Scene& s, const Material& m, const Parameters& p) {
     const Lighting lights = lights_for(s, m);
-    return Lit<WhereItShows>{
-        {phong, highlight_from(phong, lights, least_highlight(p))}, lights, s.camera.eye};
+    return Lit<WhereItShows>{where_it_shows(m, lights, p), lights, s.camera.eye};
 }
 
 auto from_afar(const Scene& s, const Material& m, const Parameters& p) {
-    return LitFromAfar<WhereItShows>{with_pi(s, m, p)};
+    const Lighting lights = lights_for(s, m);
+    return LitFromAfar{where_it_shows(m, lights, p), lights};
 }
 
 auto without_pi(const Scene& s, const Material& m, const Parameters&) {

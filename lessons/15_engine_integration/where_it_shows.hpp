@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace glint {
 
@@ -43,13 +44,24 @@ struct WhereItShows {
     // One lane within reach makes all compute it; the others leave it out nonetheless, as alone.
     template <Real T>
     Rgb<T> operator()(const Incidence<T>& g) const {
-        const Rgb<T> f0(phong.F0);
-        Rgb<T> f = diffuse_by_f0(Rgb<T>(phong.Cd), f0);
-        const MaskOf<T> shows = v_dot_r_by_cosines(g) > T(highlight_from);
-        if (any(shows)) {
-            f = select(shows, f + specular_by_angle(f0, T(phong.n), g), f);
+        Rgb<T> f(diffuse<T>());
+        if (const MaskOf<T> lanes = shows(g); any(lanes)) {
+            f = select(lanes, f + highlight(g), f);
         }
         return f;
+    }
+    template <Real T>
+    auto diffuse() const {  // the same in all lanes
+        using Uniform = Rgb<std::conditional_t<std::is_same_v<T, double>, double, float>>;
+        return diffuse_by_f0(Uniform(phong.Cd), Uniform(phong.F0));
+    }
+    template <Real T>
+    Rgb<T> highlight(const Incidence<T>& g) const {
+        return specular_by_angle(Rgb<T>(phong.F0), T(phong.n), g);
+    }
+    template <Real T>
+    MaskOf<T> shows(const Incidence<T>& g) const {
+        return v_dot_r_by_cosines(g) > T(highlight_from);
     }
     Rgb<float> ambient_albedo() const { return phong.ambient_albedo(); }
 };

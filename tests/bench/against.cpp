@@ -113,7 +113,8 @@ class Run {
         }
         // Last, for they flush the caches: what a frame has left there to be written back is not to
         // count as the next one's.
-        const Peak kernel = straight_kernel(bench_shader(bench.scene), settings.lanes);
+        const Peak kernel =
+            straight_kernel(bench_shader(bench.scene), bench.scene.camera.eye, settings.lanes);
         const Peak fma = fma_peak(max_lanes);
         const Peak write = write_peak();
         Times kernel_times;

@@ -9,13 +9,13 @@
 
 namespace glint {
 
-using BenchShader = LitFromAfar<WhereItShows>;
+using BenchShader = LitFromAfar;
 
 inline BenchShader bench_shader(const Scene& s) {
     const Material& m = s.materials[0];
     const EnginePhong phong{m.diffuse, m.specular, m.exponent};
     const float from = highlight_from(phong, s.lighting, radiance_of_codes(1e-3F));
-    return {{{phong, from}, s.lighting, s.camera.eye}};
+    return {{phong, from}, s.lighting};
 }
 
 inline View bench_view(const BenchScene& b) {

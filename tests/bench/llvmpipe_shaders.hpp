@@ -40,6 +40,7 @@ void main() {
     vec3 diffuse = Cd * (1.0 - F0);
     float factor = (n + 2.0) * (0.5 * inverse_pi);
     vec3 radiance = ambient * diffuse;
+    vec3 irradiance = vec3(0.0);
     for (int i = 0; i < LIGHTS; ++i) {
         vec3 L = light_direction[i];
         float NL = dot(N, L);
@@ -48,8 +49,11 @@ void main() {
         float m = 1.0 - clamp(NL, 0.0, 1.0);
         float m2 = m * m;
         vec3 F = F0 + (1.0 - F0) * (m2 * m2 * m);
-        radiance += (diffuse * inverse_pi + F * lobe) * light_irradiance[i] * max(NL, 0.0);
+        vec3 E = light_irradiance[i] * max(NL, 0.0);
+        irradiance += E;
+        radiance += F * lobe * E;
     }
+    radiance += diffuse * inverse_pi * irradiance;
     colour = vec4(radiance, 1.0);
 }
 )";

@@ -32,7 +32,8 @@ float multiply_and_add(int times) {
 }
 
 template <int N>
-[[gnu::flatten]] void shade_rows(const BenchShader& shader, SrgbImage& picture) {
+[[gnu::flatten]] void shade_rows(const BenchShader& shader, const glm::vec3& eye,
+                                 SrgbImage& picture) {
     using T = typename Lanes<N>::Float;
     const FlushSubnormals flush;
     const float step = 1.0F / static_cast<float>(picture.width());
@@ -43,7 +44,7 @@ template <int N>
             const T column = (iota<T>() + T(static_cast<float>(x))) * T(step);
             const Vec3<T> position(column - T(0.5F), row - T(0.3F), column + row);
             const BenchShader::Varyings<T> in{{column - T(0.5F), T(0.3F) - row, T(0.7F) + row},
-                                              shader.lit.eye - position};
+                                              eye - position};
             const Rgb<T> c = shader(in);
             store(out + x, opaque_code(c.r, c.g, c.b));
         }
@@ -67,10 +68,10 @@ Peak write_peak() {
             static_cast<double>(block->size())};
 }
 
-Peak straight_kernel(const BenchShader& shader, int lanes) {
+Peak straight_kernel(const BenchShader& shader, const glm::vec3& eye, int lanes) {
     auto picture = std::make_shared<SrgbImage>(1920, 256);
-    return {[shader, lanes, picture] {
-                with_lanes(lanes, [&]<int N>() { shade_rows<N>(shader, *picture); });
+    return {[shader, eye, lanes, picture] {
+                with_lanes(lanes, [&]<int N>() { shade_rows<N>(shader, eye, *picture); });
             },
             static_cast<double>(picture->pixels().size())};
 }

@@ -21,6 +21,6 @@ Peak write_peak();
 
 // Lesson 15's model over rows of full registers, encoded to sRGB and stored: the same fragments
 // with neither triangles nor edges, varyings a linear function of the column.
-Peak straight_kernel(const BenchShader& shader, int lanes);
+Peak straight_kernel(const BenchShader& shader, const glm::vec3& eye, int lanes);
 
 }  // namespace glint

@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
         const Frame f = frame(argc == 2 ? argv[1] : "");
         const EnginePhong phong{Rgb<float>(0.5F, 0.3F, 0.2F), Rgb<float>(0.04F), 50};
         const float from = highlight_from(phong, f.lighting, radiance_of_codes(1e-3F));
-        const LitFromAfar<WhereItShows> lit{{{phong, from}, f.lighting, {0, 0, 3}}};
+        const LitFromAfar lit{{phong, from}, f.lighting};
         const Shader shader = plug(lit);
         Renderer renderer({.lanes = lanes});
         SrgbImage picture;

@@ -55,10 +55,9 @@ TEST_CASE_TEMPLATE("from afar as near", T, float, double, ALL_LANES) {
         const Vec3<T> position(glm::vec3(-0.2F, 0.3F, 0.4F));
         const Rgb<T> near =
             lit(typename Lit<EnginePhong>::template Varyings<T>{position, Vec3<T>(normal)});
-        const LitFromAfar<EnginePhong> from_afar{lit};
+        const LitFromAfar from_afar{{phong, -2.0F}, lighting};
         const Vec3<T> to_eye = T(0.1F) * (Vec3<T>(lit.eye) - position);
-        const Rgb<T> far = from_afar(
-            typename LitFromAfar<EnginePhong>::template Varyings<T>{Vec3<T>(normal), to_eye});
+        const Rgb<T> far = from_afar(LitFromAfar::Varyings<T>{Vec3<T>(normal), to_eye});
         for (int band = 0; band < 3; ++band) {
             CHECK(value(far[band]) == doctest::Approx(value(near[band])).epsilon(1e-5));
         }

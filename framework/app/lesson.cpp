@@ -87,7 +87,8 @@ void probe(const Lesson& lesson, const Options& o) {
         }
     }
     at.options.probe->first -= at.left;
-    std::cout << explain_pixel(lesson, at.options, make_scene(lesson, at.options));
+    std::cout << "pixel " << o.probe->first << ',' << o.probe->second << ", at its centre\n"
+              << explain_pixel(lesson, at.options, make_scene(lesson, at.options));
 }
 
 void require_folder_of(const std::string& file) {

@@ -145,8 +145,6 @@ PixelReport probe_pixel(const Lesson& lesson, const Options& o, const Scene& sce
 std::string explain_pixel(const Lesson& lesson, const Options& options, const Scene& scene) {
     const PixelReport report = probe_pixel(lesson, options, scene);
     Table table;
-    table.text("pixel " + std::to_string(options.probe->first) + "," +
-               std::to_string(options.probe->second) + ", at its centre");
     for (const std::string& words : report.words) {
         table.text(words);
     }

@@ -154,9 +154,9 @@ std::vector<double> radiance_of(const std::string& text) {
     return all;
 }
 
-TEST_CASE("--probe tells the radiance of the picture's pixel") {
+void check_probes(const std::string& panels) {
     const TemporaryFolder folder;
-    const std::string size = "--size 160x90 --set lights=1 --samples 1 ";
+    const std::string size = "--size 160x90 --samples 1 " + panels;
     CHECK(run(folder, size + "--out a.pfm --out a.png").status == 0);
     CHECK(run(folder, size + "--view triangle --out t.pfm").status == 0);
     const LinearImage picture = read_pfm(folder / "a.pfm");
@@ -164,12 +164,13 @@ TEST_CASE("--probe tells the radiance of the picture's pixel") {
     const auto files = folder.count();
     int drawn = 0;
     for (const auto& [x, y] :
-         {std::pair(80, 45), {40, 50}, {120, 40}, {80, 70}, {0, 0}, {90, 30}}) {
+         {std::pair(70, 45), {40, 50}, {120, 40}, {90, 70}, {0, 0}, {90, 30}}) {
         const std::string pixel = std::to_string(x) + "," + std::to_string(y);
         CAPTURE(pixel);
         const Run r = run(folder, size + "--probe " + pixel);
         CHECK(r.status == 0);
         CHECK(r.err.empty());
+        CHECK(r.out.starts_with("pixel " + pixel + ", at its centre\n"));
         const std::vector<double> radiance = radiance_of(r.out);
         if (triangle(x, y) < 0) {
             CHECK(radiance.empty());
@@ -184,6 +185,11 @@ TEST_CASE("--probe tells the radiance of the picture's pixel") {
     }
     CHECK(drawn >= 3);
     CHECK(folder.count() == files);
+}
+
+TEST_CASE("--probe tells the radiance of the picture's pixel") {
+    check_probes("--set lights=1 ");  // one panel
+    check_probes("");
 }
 
 TEST_CASE("several files are written at once, and compared") {

@@ -1,7 +1,7 @@
-// The same sum for scenes without point lights. Where lamps are infinitely far, a fragment's place
-// tells only where the eye is, and that its pixel tells as well: three varyings instead of six, and
-// of neither does the length count. And the diffuse part, the same for all lights, meets the sum of
-// their irradiances once.
+// Lesson 4's sum for scenes without point lights. Where lamps are infinitely far, a fragment's
+// place tells only where the eye is, and that its pixel tells as well: three varyings instead of
+// six, and of neither does the length count. And the diffuse part, the same for all lights, meets
+// the sum of their irradiances once.
 #pragma once
 
 #include "lessons/15_engine_integration/where_it_shows.hpp"

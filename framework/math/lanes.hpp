@@ -41,6 +41,17 @@ void store(T* to, T a) {
     *to = a;
 }
 
+// Four numbers from here on, four from a stride on, and so on; of one lane, one number.
+template <class T>
+requires std::same_as<T, Int<lanes_of<T>>> T load_fours(const std::int32_t* from,
+                                                        std::ptrdiff_t stride) {
+    return simd::load_fours<simd::Ints<lanes_of<T>>>(from, stride);
+}
+template <class T>
+requires std::same_as<T, std::int32_t> T load_fours(const T* from, std::ptrdiff_t) {
+    return *from;
+}
+
 // Past the caches, for what is not read soon. to: aligned to the size of a. Other threads may read
 // it after finish_streaming() in this one.
 template <int N>

@@ -114,6 +114,16 @@ void store_rows(float* to, const Rows<F>& columns) {
     }
 }
 
+// Four numbers from here on, four from a stride on, and so on.
+template <class I>
+I load_fours(const std::int32_t* from, std::ptrdiff_t stride) {
+    alignas(64) std::int32_t value[I::size];
+    for (std::size_t i = 0; i < I::size; i += 4, from += stride) {
+        std::memcpy(&value[i], from, 4 * sizeof(std::int32_t));
+    }
+    return I::load_aligned(value);
+}
+
 template <class I>
 void store_streaming(std::int32_t* to, I a) {
     a.store_unaligned(to);

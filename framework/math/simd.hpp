@@ -131,6 +131,11 @@ inline void store_rows(float* to, const Rows<Floats<8>>& columns) {
         _mm_storeu_ps(to + 4 * i + 16, _mm256_extractf128_ps(r[i], 1));
     }
 }
+template <>
+inline Ints<8> load_fours(const std::int32_t* from, std::ptrdiff_t stride) {
+    return _mm256_loadu2_m128i(reinterpret_cast<const __m128i*>(from + stride),
+                               reinterpret_cast<const __m128i*>(from));
+}
 inline void store_streaming(std::int32_t* to, Ints<8> a) {
     _mm256_stream_si256(reinterpret_cast<__m256i*>(to), a);
 }
@@ -194,6 +199,12 @@ inline void store_rows(float* to, const Rows<Floats<16>>& columns) {
         _mm_storeu_ps(to + 4 * i + 32, _mm512_extractf32x4_ps(r[i], 2));
         _mm_storeu_ps(to + 4 * i + 48, _mm512_extractf32x4_ps(r[i], 3));
     }
+}
+template <>
+inline Ints<16> load_fours(const std::int32_t* from, std::ptrdiff_t stride) {
+    const auto low = load_fours<Ints<8>>(from, stride);
+    const auto high = load_fours<Ints<8>>(from + 2 * stride, stride);
+    return _mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
 }
 inline void store_streaming(std::int32_t* to, Ints<16> a) {
     _mm512_stream_si512(reinterpret_cast<__m512i*>(to), a);

@@ -37,6 +37,7 @@ class Tiles {
                  .chunks = {&bins_, 1},
                  .shaders = {},
                  .target = {},
+                 .background = {},
                  .won_a_sample = {}} {
         mesh_.triangles = {{0, 1, 2}};
     }

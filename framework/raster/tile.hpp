@@ -59,7 +59,8 @@ struct Frame {
     std::span<const TileBins> chunks;
     std::span<const Shader> shaders;  // by material
     Target target;
-    std::span<std::uint8_t> won_a_sample;  // by triangle; set where one did
+    std::array<std::int32_t, block_size> background;  // its sRGB codes, of four pixels
+    std::span<std::uint8_t> won_a_sample;             // by triangle; set where one did
 };
 
 // A triangle in a tile: where it stands in the bins.
@@ -75,6 +76,13 @@ using LineVector = std::vector<V, LineAllocator<V>>;
 // The working memory of one thread; it keeps its capacity from tile to tile and frame to frame.
 struct TileBuffer {
     int x = 0, y = 0;  // the tile's first pixel
+
+    // What waits to be streamed into the picture: the tile's rows from rows_written on; and empty
+    // tiles, by their first pixels: rows of number empty_written from empty_rows_written on, and
+    // all tiles behind it.
+    int rows_written = 0, empty_rows_written = 0;
+    std::size_t empty_written = 0;
+    std::vector<glm::ivec2> empty_tiles;
 
     // By sample, then pixel: depth (0: nothing there) and the place in triangles of who won it;
     // stale where depth is 0.
@@ -153,8 +161,15 @@ void list_fragments(const Frame& frame, TileBuffer& buffer);
 // Shades them into buffer.colour or buffer.codes.
 void shade_tile(const Frame& frame, TileBuffer& buffer);
 
-// Writes the tile into the target's pictures.
+// Streams some of what waits; of the tile, up to the row `ready`. For the shader to be called next:
+// ordinary stores wait behind those that pass the caches, and a shader has few.
+void stream_some(const Frame& frame, TileBuffer& buffer, int ready);
+
+// Writes the tile into the target's pictures; of an empty one, the picture may wait.
 void write_tile(const Frame& frame, TileBuffer& buffer);
-void write_empty_tile(const Frame& frame, int x, int y);
+void write_empty_tile(const Frame& frame, TileBuffer& buffer);
+
+// Streams all that waits.
+void stream_all(const Frame& frame, TileBuffer& buffer);
 
 }  // namespace glint

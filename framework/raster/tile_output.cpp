@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 
 namespace glint {
 namespace {
@@ -38,42 +39,48 @@ bool is_aligned(const SrgbImage& picture, Extent tile) {
            reinterpret_cast<std::uintptr_t>(picture.pixels().data()) % line == 0;
 }
 
-// Streams rows of the tile, side by side in codes, to a picture from pixel x, y on.
-void stream_rows(const Frame& frame, const std::int32_t* codes, int rows, int x, int y) {
-    with_lanes(frame.settings.lanes, [&]<int N>() {
-        using I = typename Lanes<N>::Int;
-        for (int row = 0; row < rows; ++row, codes += tile_size) {
-            auto* out = reinterpret_cast<std::int32_t*>(&(*frame.target.srgb)(x, y + row));
-            for (int i = 0; i < tile_size; i += N) {
-                store_streaming(out + i, load<I>(codes + i));
-            }
-        }
-    });
+// Streams a row of a tile to the picture from pixel x, y on: its codes, in fours a stride apart.
+template <int N>
+void stream_row(const Frame& frame, const std::int32_t* codes, std::ptrdiff_t stride, int x,
+                int y) {
+    using I = typename Lanes<N>::Int;
+    auto* out = reinterpret_cast<std::int32_t*>(&(*frame.target.srgb)(x, y));
+    for (int i = 0; i < tile_size; i += N) {
+        store_streaming(out + i, load_fours<I>(codes + i / 4 * stride + i % 4, stride));
+    }
 }
 
-// Four pixels of a block lie side by side in the tile as in the picture.
-void write_codes(const Frame& frame, const TileBuffer& tile) {
-    static_assert(sizeof(Rgba8) == sizeof(tile.codes[0]));
+// The tile's rows from rows_written up to `end`. Four pixels of a block lie side by side in the
+// tile as in the picture.
+template <int N>
+void write_codes(const Frame& frame, TileBuffer& tile, int end) {
+    static_assert(sizeof(Rgba8) == sizeof(tile.codes[0]) && block_size == 4);
     const auto [columns, rows] = extent(frame, tile.x, tile.y);
     const bool aligned = is_aligned(*frame.target.srgb, {columns, rows});
-    std::array<std::int32_t, block_size * tile_size> lines;
-    for (int y = 0; y < rows; y += block_size) {
-        const std::int32_t* block = &tile.codes[pixel_place(0, y)];
-        for (int x = 0; x < tile_size; x += block_size) {
-            for (int row = 0; row < block_size; ++row, block += block_size) {
-                std::memcpy(&lines[static_cast<std::size_t>(row * tile_size + x)], block,
-                            block_size * sizeof(Rgba8));
-            }
-        }
-        const int count = std::min(block_size, rows - y);
+    for (int& row = tile.rows_written; row < std::min(rows, end); ++row) {
+        const std::int32_t* codes = &tile.codes[pixel_place(0, row)];
         if (aligned) {
-            stream_rows(frame, lines.data(), count, tile.x, tile.y + y);
+            stream_row<N>(frame, codes, block_pixels, tile.x, tile.y + row);
             continue;
         }
-        for (int row = 0; row < count; ++row) {
-            std::memcpy(&(*frame.target.srgb)(tile.x, tile.y + y + row),
-                        &lines[static_cast<std::size_t>(row * tile_size)],
-                        static_cast<std::size_t>(columns) * sizeof(Rgba8));
+        for (int x = 0; x < columns; x += block_size, codes += block_pixels) {
+            const auto count = static_cast<std::size_t>(std::min(block_size, columns - x));
+            std::memcpy(&(*frame.target.srgb)(tile.x + x, tile.y + row), codes,
+                        count * sizeof(Rgba8));
+        }
+    }
+}
+
+// Of the empty tiles that wait, up to `count` rows.
+template <int N>
+void stream_empty(const Frame& frame, TileBuffer& buffer, int count) {
+    for (; count > 0 && buffer.empty_written < buffer.empty_tiles.size(); --count) {
+        const glm::ivec2 first = buffer.empty_tiles[buffer.empty_written];
+        stream_row<N>(frame, frame.background.data(), 0, first.x,
+                      first.y + buffer.empty_rows_written);
+        if (++buffer.empty_rows_written == extent(frame, first.x, first.y).rows) {
+            ++buffer.empty_written;
+            buffer.empty_rows_written = 0;
         }
     }
 }
@@ -107,12 +114,28 @@ void fill(const Frame& frame, int x, int y, Image<Pixel>* image, const Pixel& va
 
 }  // namespace
 
+void stream_some(const Frame& frame, TileBuffer& buffer, int ready) {
+    constexpr int empty_rows = 8;
+    with_lanes(frame.settings.lanes, [&]<int N>() {
+        if (ready > 0) {
+            write_codes<N>(frame, buffer, ready);
+        }
+        stream_empty<N>(frame, buffer, empty_rows);
+    });
+}
+
+void stream_all(const Frame& frame, TileBuffer& buffer) {
+    with_lanes(frame.settings.lanes,
+               [&]<int N>() { stream_empty<N>(frame, buffer, std::numeric_limits<int>::max()); });
+    finish_streaming();
+}
+
 void write_tile(const Frame& frame, TileBuffer& tile) {
     if (frame.target.srgb != nullptr) {
         if (keeps_colour(frame)) {
             encode(frame, tile);
         }
-        write_codes(frame, tile);
+        with_lanes(frame.settings.lanes, [&]<int N>() { write_codes<N>(frame, tile, tile_size); });
         finish_streaming();
     }
     write(frame, tile, frame.target.linear, [&](std::size_t at) {
@@ -127,20 +150,14 @@ void write_tile(const Frame& frame, TileBuffer& tile) {
     });
 }
 
-void write_empty_tile(const Frame& frame, int x, int y) {
+void write_empty_tile(const Frame& frame, TileBuffer& buffer) {
     const Target& target = frame.target;
-    const Rgb<float>& c = target.background;
-    const std::int32_t code = opaque_code(c.r, c.g, c.b);
-    const Extent tile = extent(frame, x, y);
-    if (target.srgb != nullptr && is_aligned(*target.srgb, tile)) {
-        std::array<std::int32_t, tile_size> line;
-        line.fill(code);
-        for (int row = 0; row < tile.rows; ++row) {
-            stream_rows(frame, line.data(), 1, x, y + row);
-        }
-        finish_streaming();
+    const int x = buffer.x;
+    const int y = buffer.y;
+    if (target.srgb != nullptr && is_aligned(*target.srgb, extent(frame, x, y))) {
+        buffer.empty_tiles.emplace_back(x, y);
     } else {
-        fill(frame, x, y, target.srgb, std::bit_cast<Rgba8>(code));
+        fill(frame, x, y, target.srgb, std::bit_cast<Rgba8>(frame.background[0]));
     }
     fill(frame, x, y, target.linear, target.background);
     fill(frame, x, y, target.depth, 0.0F);

@@ -69,6 +69,7 @@ class TileShading {
         } else {
             interpolate<Form::anywhere>(shader, begin, n, in);
         }
+        stream_some(frame_, tile_, rows_ready(begin));
         const auto call = N == 16  ? shader.shade_16
                           : N == 8 ? shader.shade_8
                           : N == 4 ? shader.shade_4
@@ -81,6 +82,13 @@ class TileShading {
         } else {
             put_codes(begin, n, out);
         }
+    }
+
+    // Rows of the tile whose codes are all there when the fragments before this one are shaded.
+    int rows_ready(std::size_t fragment) const {
+        const bool in_order = frame_.shaders.size() == 1;
+        const bool has_codes = frame_.target.srgb != nullptr && !keeps_colour(frame_);
+        return in_order && has_codes ? pixel_row(tile_.pixels()[fragment]) & -block_size : 0;
     }
 
     // What the planes are: see tile_planes.hpp. Those that are anchored at corners have no d0.
@@ -194,13 +202,11 @@ class TileShading {
     // ---- colours into the tile ----
 
     void fill_background() {
-        const Rgb<float>& background = frame_.target.background;
         const bool everywhere = tile_.fragments == tile_pixels && !multisampled_;
         if (!keeps_colour(frame_)) {
             tile_.codes.resize(tile_pixels);
             if (!everywhere) {
-                std::fill(tile_.codes.begin(), tile_.codes.end(),
-                          opaque_code(background.r, background.g, background.b));
+                std::fill(tile_.codes.begin(), tile_.codes.end(), frame_.background[0]);
             }
             return;
         }
@@ -208,7 +214,7 @@ class TileShading {
             tile_.colour[c].resize(tile_pixels);
             if (!everywhere) {
                 std::fill(tile_.colour[c].begin(), tile_.colour[c].end(),
-                          background[static_cast<int>(c)]);
+                          frame_.target.background[static_cast<int>(c)]);
             }
         }
     }

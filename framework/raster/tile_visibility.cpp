@@ -149,6 +149,7 @@ bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer) {
     const auto columns = static_cast<std::size_t>(frame.grid.columns);
     buffer.x = static_cast<int>(tile % columns) * tile_size;
     buffer.y = static_cast<int>(tile / columns) * tile_size;
+    buffer.rows_written = 0;
     buffer.triangles.clear();
     const auto touched = [tile](const TileBins& bins) { return !bins.tile(tile).empty(); };
     if (std::none_of(frame.chunks.begin(), frame.chunks.end(), touched)) {

@@ -48,6 +48,13 @@ void level_capacities(std::span<TileBuffer> buffers) {
     }
 }
 
+std::array<std::int32_t, block_size> background_codes(const Target& target) {
+    const Rgb<float>& c = target.background;
+    std::array<std::int32_t, block_size> codes;
+    codes.fill(opaque_code(c.r, c.g, c.b));
+    return codes;
+}
+
 }  // namespace
 
 TileRasterizer::TileRasterizer(const Settings& settings)
@@ -61,6 +68,10 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
     for (TileBuffer& buffer : buffers_) {
         buffer.fragments_shaded = buffer.tiles_empty = 0;
         buffer.visibility_seconds = buffer.shading_seconds = buffer.output_seconds = 0;
+        buffer.empty_tiles.clear();
+        buffer.empty_written = 0;
+        buffer.empty_rows_written = 0;
+        buffer.empty_tiles.reserve(tile_grid(view).tiles());
     }
     won_a_sample_.assign(mesh.triangles.size(), 0);
     transform_vertices(mesh, view);
@@ -76,9 +87,15 @@ Statistics TileRasterizer::render(const Mesh& mesh, const View& view,
                       .chunks = {chunks_.data(), chunks_used_},
                       .shaders = shaders,
                       .target = target,
+                      .background = background_codes(target),
                       .won_a_sample = won_a_sample_};
     pool_.run(frame.grid.tiles(), [&](std::size_t tile, int thread) {
         draw_tile(frame, tile, buffers_[static_cast<std::size_t>(thread)]);
+    });
+    pool_.run(buffers_.size(), [&](std::size_t i, int) {
+        const auto drawn = Clock::now();
+        stream_all(frame, buffers_[i]);
+        buffers_[i].output_seconds += seconds_since(drawn);
     });
     level_capacities(buffers_);
 
@@ -132,7 +149,7 @@ void TileRasterizer::sort_into_tiles(const Mesh& mesh, const View& view) {
 void TileRasterizer::draw_tile(const Frame& frame, std::size_t tile, TileBuffer& buffer) {
     const auto start = Clock::now();
     if (!find_visible(frame, tile, buffer)) {
-        write_empty_tile(frame, buffer.x, buffer.y);
+        write_empty_tile(frame, buffer);
         ++buffer.tiles_empty;
         buffer.output_seconds += seconds_since(start);
         return;

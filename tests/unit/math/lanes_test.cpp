@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace glint {
 namespace {
@@ -337,6 +338,19 @@ TEST_CASE_TEMPLATE("rows become columns and rows again", F, float, ALL_LANES) {
             CHECK(back[4 * i + k] == rows[i][k]);
         }
     }
+}
+
+TEST_CASE_TEMPLATE("load_fours skips what lies between", F, ALL_LANES) {
+    using I = IntOf<F>;
+    std::array<std::int32_t, 64> numbers{};
+    std::iota(numbers.begin(), numbers.end(), 100);
+    for (const std::ptrdiff_t stride : {0, 4, 7, 16}) {
+        const I fours = load_fours<I>(&numbers[1], stride);
+        for (int i = 0; i < lanes_of<F>; ++i) {
+            CHECK(lane(fours, i) == 101 + i / 4 * stride + i % 4);
+        }
+    }
+    CHECK(load_fours<std::int32_t>(&numbers[5], 3) == 105);
 }
 
 TEST_CASE_TEMPLATE("store_compressed keeps the answering lanes in order", F, float, ALL_LANES) {

@@ -136,6 +136,54 @@ TEST_CASE("one renderer draws frames of any size, one after the other, as new on
     }
 }
 
+// Some pixels of most tiles, all of some, none of others; of one material or of two.
+Mesh scattered(int materials) {
+    Mesh mesh;
+    const auto add = [&](float left, float top, float size) {
+        const auto n = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(
+            mesh.positions.end(),
+            {{left, top, 0.5F}, {left + size, top, 0.5F}, {left, top + size, 0.5F}});
+        mesh.triangles.push_back({n, n + 1, n + 2});
+        mesh.materials.push_back(
+            static_cast<std::uint16_t>(n / 3 % static_cast<unsigned>(materials)));
+    };
+    add(130, 60, 300);
+    add(66, 70, 10);
+    add(3, 200, 4);
+    add(400, 20, 1.5F);
+    return mesh;
+}
+
+TEST_CASE("a picture that was in use is drawn over everywhere") {
+    const OneColour light{{0.5F, 0.25F, 1}};
+    const OneColour dark{{0.1F, 0, 0.2F}};
+    const Shader shaders[] = {plug(light), plug(dark)};
+    for (const int materials : {1, 2}) {
+        const Mesh mesh = scattered(materials);
+        for (const auto& [width, height] :
+             {std::pair(448, 256), {448, 270}, {450, 270}, {40, 300}}) {
+            const View view = window_view(width, height);
+            const std::span used(shaders, static_cast<std::size_t>(materials));
+            const Rgb<float> background(0.2F, 0.3F, 0.4F);
+            const Drawn expected =
+                draw(mesh, view, used, {.rasterizer = Rasterizer::scanline}, background);
+            for (const int threads : {1, 2, 3}) {
+                for (const Settings& settings : both_rasterizers({.threads = threads})) {
+                    CAPTURE(words(settings));
+                    Renderer renderer(settings);
+                    SrgbImage picture(width, height, {7, 8, 9, 10});
+                    renderer.render(mesh, view, used, {.srgb = &picture, .background = background});
+                    CHECK(picture == expected.srgb);
+                    renderer.render(mesh, view, used, {.srgb = &picture});
+                    renderer.render(mesh, view, used, {.srgb = &picture, .background = background});
+                    CHECK(picture == expected.srgb);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("the statistics count what was asked for") {
     // Two squares one behind the other, the far one hidden, and a triangle beside the window.
     Mesh mesh{.positions = {{2, 2, 0.75F},

@@ -16,15 +16,16 @@ inline CornerVaryings corner_varyings(const Shader& shader, const Mesh& mesh,
                                       const ScreenTriangle& triangle) {
     std::array<float, 3 * max_varyings> of_mesh{};
     const glm::uvec3 vertices = mesh.triangles[triangle.source];
-    shader.vertex(shader.shader, mesh, &vertices.x, 3, of_mesh.data());
+    shader.vertex(shader.shader, mesh, &vertices.x, 3, 3, of_mesh.data());
     CornerVaryings corners{};
     const auto count = static_cast<std::size_t>(shader.varyings);
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::vec3 b = triangle.barycentric[i];
         for (std::size_t k = 0; k < count; ++k) {
-            corners[i][k] = triangle.clipped ? b.x * of_mesh[k] + b.y * of_mesh[count + k] +
-                                                   b.z * of_mesh[2 * count + k]
-                                             : of_mesh[i * count + k];
+            const float* of_corner = &of_mesh[3 * k];
+            corners[i][k] = triangle.clipped
+                                ? b.x * of_corner[0] + b.y * of_corner[1] + b.z * of_corner[2]
+                                : of_corner[i];
         }
     }
     return corners;

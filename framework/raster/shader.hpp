@@ -35,7 +35,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <new>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -81,10 +80,10 @@ class NoteTaker {
 
 // What the rasterizer holds of a shader: addresses. The shader itself must outlive it.
 struct Shader {
-    // Varyings of the named vertices, less to_eye: varyings floats each, one vertex after the
-    // other. With to_eye three floats behind the last are overwritten.
+    // Varyings of the named vertices, less to_eye: varying k of vertices[i] goes to
+    // out[k * stride + i].
     using VertexCall = void (*)(const void* shader, const Mesh&, const std::uint32_t* vertices,
-                                int count, float* out);
+                                int count, int stride, float* out);
     // Colours of a block of fragments: varying k of fragment i is at in[k * stride + i], its red,
     // green and blue go to out[i], out[stride + i], out[2 * stride + i]. The three of to_eye come
     // last. The lanes version reads and writes up to the next multiple of its width. in and out do
@@ -155,14 +154,17 @@ Varyings<S, T> gather_varyings(const auto* in, int stride) {
 }
 
 template <class S>
-void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices, int n,
+void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices, int n, int stride,
             float* out) {
     for (int i = 0; i < n; ++i) {
         const auto at = vertices[i];
         const Vertex v{mesh.positions[at], mesh.normals.empty() ? glm::vec3(0) : mesh.normals[at],
                        mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[at]};
-        ::new (out + i * interpolated<S>)
-            Varyings<S, float>(static_cast<const S*>(shader)->vertex(v));
+        const auto values =
+            std::bit_cast<std::array<float, count<S>>>(static_cast<const S*>(shader)->vertex(v));
+        for (int k = 0; k < interpolated<S>; ++k) {
+            out[k * stride + i] = values[static_cast<std::size_t>(k)];
+        }
     }
 }
 

@@ -163,8 +163,8 @@ class PlaneSetup {
         }
     };
 
-    // By corner, then lane; a row of four may stick out.
-    using GroupVaryings = std::array<float, 3 * N * max_varyings + 4>;
+    // By varying, corner and lane.
+    using GroupVaryings = std::array<float, 3 * N * max_varyings>;
 
     // Sets up the small triangles of a group; bit i says that it did lane i.
     std::uint32_t set_up_small(std::size_t first, std::uint32_t owners, const Shader& shader,
@@ -172,7 +172,7 @@ class PlaneSetup {
         const Corners c = corners(first, owners);
         // Long before they are read, or the processor would wait until they are written.
         GroupVaryings varyings;
-        shader.vertex(shader.shader, *frame_.mesh, c.vertex.data(), 3 * N, varyings.data());
+        shader.vertex(shader.shader, *frame_.mesh, c.vertex.data(), 3 * N, 3 * N, varyings.data());
         I x[3];
         I y[3];
         T s[3];
@@ -227,37 +227,29 @@ class PlaneSetup {
     static void store_varyings(const GroupVaryings& varyings, const Shader& shader,
                                const Slopes& slopes, float* planes) {
         const auto count = static_cast<std::size_t>(shader.varyings);
-        for (std::size_t k = 0; k < count; k += 4) {
-            Rows<T> four[3];
-            for (std::size_t i = 0; i < 3; ++i) {
-                const float* rows[N];
-                for (std::size_t lane = 0; lane < N; ++lane) {
-                    rows[lane] = &varyings[(i * N + lane) * count + k];
-                }
-                four[i] = load_rows<T>(rows);
-            }
-            for (std::size_t j = 0; j < std::min<std::size_t>(4, count - k); ++j) {
-                T corner[3] = {four[0][j], four[1][j], four[2][j]};
-                slopes.turn(corner);
-                float* out = planes + (k + j) * N;
-                if (shader.directions_only) {
-                    const T rise1 = corner[1] * slopes.weight[0] - corner[0];
-                    const T rise2 = corner[2] * slopes.weight[1] - corner[0];
-                    store(out, corner[0]);
-                    store(out + count * N, slopes.dx(rise1, rise2));
-                    store(out + 2 * count * N, slopes.dy(rise1, rise2));
-                    continue;
-                }
-                const T nearest = select(slopes.second, corner[2], corner[1]);
-                const T first = select(slopes.steep, nearest, corner[0]);
-                const T d0 = corner[0] - first;
-                const T rise1 = (corner[1] - first) * slopes.weight[0] - d0;
-                const T rise2 = (corner[2] - first) * slopes.weight[1] - d0;
-                store(out, first);
+        for (std::size_t k = 0; k < count; ++k) {
+            const float* of_corners = &varyings[3 * N * k];
+            T corner[3] = {load<T>(of_corners), load<T>(of_corners + N),
+                           load<T>(of_corners + 2 * N)};
+            slopes.turn(corner);
+            float* out = planes + k * N;
+            if (shader.directions_only) {
+                const T rise1 = corner[1] * slopes.weight[0] - corner[0];
+                const T rise2 = corner[2] * slopes.weight[1] - corner[0];
+                store(out, corner[0]);
                 store(out + count * N, slopes.dx(rise1, rise2));
                 store(out + 2 * count * N, slopes.dy(rise1, rise2));
-                store(out + 3 * count * N, d0);
+                continue;
             }
+            const T nearest = select(slopes.second, corner[2], corner[1]);
+            const T first = select(slopes.steep, nearest, corner[0]);
+            const T d0 = corner[0] - first;
+            const T rise1 = (corner[1] - first) * slopes.weight[0] - d0;
+            const T rise2 = (corner[2] - first) * slopes.weight[1] - d0;
+            store(out, first);
+            store(out + count * N, slopes.dx(rise1, rise2));
+            store(out + 2 * count * N, slopes.dy(rise1, rise2));
+            store(out + 3 * count * N, d0);
         }
     }
 

@@ -59,17 +59,20 @@ void check_scalars() {
     CHECK((plugged.shade_8 != nullptr) == (max_lanes >= 8));
     CHECK((plugged.shade_16 != nullptr) == (max_lanes >= 16));
 
-    // The vertex stage: of vertices in any order, one after the other.
+    // The vertex stage: of vertices in any order, side by side.
     const Mesh mesh = small_mesh();
     const std::uint32_t vertices[] = {2, 0, 3, 0};
-    std::vector<float> values(4 * N, -1.0F);
-    plugged.vertex(&shader, mesh, vertices, 4, values.data());
+    std::vector<float> values(5 * N, -1.0F);
+    plugged.vertex(&shader, mesh, vertices, 4, 5, values.data());
     for (std::size_t i = 0; i < 4; ++i) {
         const auto at = vertices[i];
         const auto expected = shader.vertex({mesh.positions[at], mesh.normals[at], mesh.uvs[at]});
         for (std::size_t k = 0; k < N; ++k) {
-            CHECK(values[i * N + k] == expected.value[k]);
+            CHECK(values[5 * k + i] == expected.value[k]);
         }
+    }
+    for (std::size_t k = 0; k < N; ++k) {
+        CHECK(values[5 * k + 4] == -1.0F);
     }
 
     // The fragment stage: all widths shade what the scalar call does, the reference in double.

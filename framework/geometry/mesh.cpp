@@ -34,7 +34,7 @@ std::size_t vertices_after(const Mesh& mesh, const Mesh& other) {
 
 // Also right if both are the same.
 template <class T>
-void concatenate(std::vector<T>& to, const std::vector<T>& from) {
+void concatenate(LineVector<T>& to, const LineVector<T>& from) {
     const std::size_t before = to.size();
     const std::size_t count = from.size();
     to.resize(before + count);

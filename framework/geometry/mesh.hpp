@@ -2,6 +2,7 @@
 // any mesh. The world is right-handed with y up.
 #pragma once
 
+#include "framework/math/memory.hpp"
 #include "framework/math/vec.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -25,10 +26,10 @@ struct Material {
 // Counter-clockwise triangles face the viewer. normals and uvs are as long as positions, or empty;
 // materials is as long as triangles, or empty (all of material 0).
 struct Mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;  // unit length
-    std::vector<glm::vec2> uvs;
-    std::vector<glm::uvec3> triangles;
+    LineVector<glm::vec3> positions;
+    LineVector<glm::vec3> normals;  // unit length
+    LineVector<glm::vec2> uvs;
+    LineVector<glm::uvec3> triangles;
     std::vector<std::uint16_t> materials;
 };
 

@@ -1,11 +1,11 @@
 // A picture: rows of pixels from the top, each row from the left.
 #pragma once
 
+#include "framework/math/memory.hpp"
 #include "framework/math/vec.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
 #include <vector>
 
@@ -14,19 +14,6 @@ namespace glint {
 struct Rgba8 {  // code values of IEC 61966-2-1 (sRGB); alpha is opacity, linear
     std::uint8_t r, g, b, a;
     friend bool operator==(const Rgba8&, const Rgba8&) = default;
-};
-
-// Memory that begins where a line of the cache does, so that whole lines can be written.
-template <class T>
-struct LineAllocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
-    LineAllocator() = default;
-    template <class U>
-    LineAllocator(const LineAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
-    friend bool operator==(LineAllocator, LineAllocator) { return true; }
 };
 
 template <class Pixel>
@@ -63,7 +50,7 @@ class Image {
     }
     int width_ = 0;
     int height_ = 0;
-    std::vector<Pixel, LineAllocator<Pixel>> pixels_;
+    LineVector<Pixel> pixels_;
 };
 
 using LinearImage = Image<Rgb<float>>;  // radiance, unclamped

@@ -74,7 +74,7 @@ struct ScreenVertex {
 
 // (1) All vertices of a mesh in window space. Those outside the near plane or the guard band, or
 // not finite, have no place there: their x is needs_clipping.
-using VertexBuffer = std::vector<ScreenVertex>;
+using VertexBuffer = LineVector<ScreenVertex>;
 inline constexpr std::int32_t needs_clipping = INT32_MIN;
 
 // (2) A triangle whose vertices all have a place in window space: one of the mesh, or a piece of

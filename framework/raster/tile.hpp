@@ -69,10 +69,6 @@ struct TileTriangle {
     TriangleRef ref;
 };
 
-// Begins at a cache line, so that registers as wide as one are read and written in one piece.
-template <class V>
-using LineVector = std::vector<V, LineAllocator<V>>;
-
 // The working memory of one thread; it keeps its capacity from tile to tile and frame to frame.
 struct TileBuffer {
     int x = 0, y = 0;  // the tile's first pixel

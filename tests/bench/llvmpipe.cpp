@@ -9,6 +9,7 @@
 #include <EGL/eglext.h>
 #include <GLES3/gl3.h>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 namespace glint {
@@ -51,7 +52,7 @@ GLuint link(int lights) {
 }
 
 template <class Element>
-GLuint upload(GLenum target, const std::vector<Element>& data) {
+GLuint upload(GLenum target, std::span<const Element> data) {
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
     glBindBuffer(target, buffer);
@@ -206,11 +207,11 @@ void Llvmpipe::set_scene(const BenchScene& bench) {
     glBindVertexArray(impl_->array);
     for (GLuint slot = 0; slot < 2; ++slot) {
         const auto& attribute = slot == 0 ? scene.mesh.positions : scene.mesh.normals;
-        impl_->buffers.push_back(upload(GL_ARRAY_BUFFER, attribute));
+        impl_->buffers.push_back(upload<glm::vec3>(GL_ARRAY_BUFFER, attribute));
         glEnableVertexAttribArray(slot);
         glVertexAttribPointer(slot, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     }
-    impl_->buffers.push_back(upload(GL_ELEMENT_ARRAY_BUFFER, scene.mesh.triangles));
+    impl_->buffers.push_back(upload<glm::uvec3>(GL_ELEMENT_ARRAY_BUFFER, scene.mesh.triangles));
     impl_->indices = static_cast<GLsizei>(3 * scene.mesh.triangles.size());
     impl_->canvas = std::make_unique<Canvas>(GL_SRGB8_ALPHA8, bench.width, bench.height);
     require(glGetError() == GL_NO_ERROR, "OpenGL reports an error in the set-up");

@@ -152,9 +152,9 @@ TEST_CASE("threads that finish in another order: faces of equal depth") {
     };
     RandomScene scene = random_scene(3);
     const View view{clip_from_world(scene.camera, 1), side, side};
-    std::vector<glm::uvec3>& triangles = scene.mesh.triangles;
+    LineVector<glm::uvec3>& triangles = scene.mesh.triangles;
     triangles.resize(std::min<std::size_t>(triangles.size(), 60));
-    const std::vector<glm::uvec3> copies = triangles;
+    const LineVector<glm::uvec3> copies = triangles;
     triangles.insert(triangles.end(), copies.begin(), copies.begin() + 30);
     const double naive = count(last_wins(scene.mesh, view, false),
                                last_wins(scene.mesh, view, true), std::not_equal_to<>());

@@ -93,7 +93,7 @@ Stage stage_of_net(const Net& net, int bits) {
     for (const glm::dvec2& p : net.knots) {
         s.mesh.positions.emplace_back(glm::round(p / unit) * unit, 0.5);
     }
-    s.mesh.triangles = net.triangles;
+    s.mesh.triangles.assign(net.triangles.begin(), net.triangles.end());
     Stage stage = stage_of(std::move(s), net_window, net_window,
                            [](const Scene&, const Material&) { return Grey(); });
     glm::mat4 clip_from_pixels(1.0F);

@@ -38,7 +38,7 @@ std::string error(const std::string& text) {
     return message([&] { parse_obj(text, "a.obj"); });
 }
 
-using Triangles = std::vector<glm::uvec3>;
+using Triangles = LineVector<glm::uvec3>;
 
 std::string joined(const std::vector<std::string>& lines) {
     std::string all;

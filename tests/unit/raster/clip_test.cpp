@@ -41,7 +41,7 @@ Clipped clip(const Mesh& mesh, const View& view, std::uint32_t triangle = 0) {
     return c;
 }
 
-Mesh triangles_of(const std::vector<glm::vec3>& positions) {
+Mesh triangles_of(const LineVector<glm::vec3>& positions) {
     Mesh mesh{.positions = positions, .normals = {}, .uvs = {}, .triangles = {}, .materials = {}};
     for (std::uint32_t i = 0; i + 2 < positions.size(); i += 3) {
         mesh.triangles.push_back({i, i + 1, i + 2});

@@ -196,6 +196,10 @@ void TileBins::stage(const typename Lanes<N>::Int (&x)[3], const typename Lanes<
 void TileBins::sort_by_tile() {
     const auto for_each_entry = [&](auto&& visit) {
         for (std::size_t i = 0; i < staged_; ++i) {
+            if (staged_extent_[i] == 0) [[likely]] {  // lies in one tile
+                visit(i, static_cast<std::size_t>(staged_tile_[i]));
+                continue;
+            }
             const std::int32_t columns = staged_extent_[i] & 0xFFFF;
             const std::int32_t rows = staged_extent_[i] >> 16;
             for (std::int32_t row = 0; row <= rows; ++row) {

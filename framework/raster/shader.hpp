@@ -35,6 +35,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -160,10 +161,12 @@ void vertex(const void* shader, const Mesh& mesh, const std::uint32_t* vertices,
         const auto at = vertices[i];
         const Vertex v{mesh.positions[at], mesh.normals.empty() ? glm::vec3(0) : mesh.normals[at],
                        mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[at]};
-        const auto values =
-            std::bit_cast<std::array<float, count<S>>>(static_cast<const S*>(shader)->vertex(v));
+        const Varyings<S, float> varyings = static_cast<const S*>(shader)->vertex(v);
+        const auto* bytes = reinterpret_cast<const std::byte*>(&varyings);
         for (int k = 0; k < interpolated<S>; ++k) {
-            out[k * stride + i] = values[static_cast<std::size_t>(k)];
+            float value = 0;
+            std::memcpy(&value, bytes + k * int{sizeof value}, sizeof value);
+            out[k * stride + i] = value;
         }
     }
 }

@@ -11,6 +11,13 @@
 
 namespace glint {
 
+// May be refused, and is lost on other systems than Linux; then pages are small.
+inline void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+    madvise(memory, bytes, MADV_HUGEPAGE);
+#endif
+}
+
 // Memory that begins where a line of the cache does, so that whole lines can be written; from 2 MB
 // on in huge pages, where the system has them, for then addresses are found sooner.
 template <class T>
@@ -23,19 +30,13 @@ struct LineAllocator {
     T* allocate(std::size_t n) {
         const std::size_t bytes = n * sizeof(T);
         void* memory = ::operator new(bytes, alignment(n));
-#if defined(__linux__)
         if (bytes >= huge_page) {
-            madvise(memory, bytes, MADV_HUGEPAGE);  // advice: it may fail
+            ask_for_huge_pages(memory, bytes);
         }
-#endif
         return static_cast<T*>(memory);
     }
-    void deallocate(T* p, std::size_t n) {
-        ::operator delete(p, alignment(n));
-    }
-    friend bool operator==(LineAllocator, LineAllocator) {
-        return true;
-    }
+    void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n)); }
+    friend bool operator==(LineAllocator, LineAllocator) { return true; }
 
   private:
     static std::align_val_t alignment(std::size_t n) {

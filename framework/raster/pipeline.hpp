@@ -10,12 +10,12 @@
 
 #include "framework/image/image.hpp"
 #include "framework/math/fixed.hpp"
+#include "framework/math/memory.hpp"
 #include "framework/math/vec.hpp"
 
 #include <glm/mat4x4.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace glint {
 

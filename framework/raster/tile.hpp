@@ -10,6 +10,7 @@
 #include "framework/raster/shader.hpp"
 #include "framework/image/image.hpp"
 #include "framework/image/srgb.hpp"
+#include "framework/math/memory.hpp"
 #include "framework/math/simd.hpp"
 
 #include <array>

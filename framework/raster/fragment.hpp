@@ -2,46 +2,38 @@
 // Both rasterizers resolve pixels by this text.
 #pragma once
 
-#include "framework/raster/samples.hpp"
+#include "framework/math/lane_math.hpp"
 
-#include <array>
 #include <cstdint>
+#include <span>
 
 namespace glint {
 
-struct Fragment {
-    std::int32_t triangle;  // as the caller numbers them
-    SampleOffset at;        // where it is shaded, from the pixel's centre
-    int samples;            // how many of the pixel's samples it stands for
-};
-
-// The fragments of one pixel, given the triangle at each sample (negative: none), nearest sample
-// first. Shading is once a pixel and triangle: at the centre where one triangle won every sample,
-// else at its sample nearest the centre, so never outside the triangle; or once a sample.
-// Returns how many were written.
-inline int resolve_pixel(const std::array<std::int32_t, max_samples>& won,
-                         std::span<const SampleOffset> offsets, bool sample_shading,
-                         std::array<Fragment, max_samples>& out) {
-    int count = 0;
-    for (std::size_t s = 0; s < offsets.size(); ++s) {
-        if (won[s] < 0) {
-            continue;
+// The fragments of one pixel, or of one pixel a lane, given the triangle at each sample (negative:
+// none), nearest sample first. Shading is once a pixel and triangle: at the centre where one
+// triangle won every sample, else at its sample nearest the centre, so never outside the triangle;
+// or once a sample.
+//
+// Calls add(where, triangle, sample, count) for each sample that a fragment begins with: in which
+// pixels, of which triangle, and for how many of the pixel's samples it stands; which is all of
+// them where it is shaded at the centre. I is int or lanes of it.
+template <class I, class Add>
+void resolve_pixels(std::span<const I> won, bool sample_shading, Add&& add) {
+    for (std::size_t s = 0; s < won.size(); ++s) {
+        auto begins = won[s] >= I(0);
+        I count(1);
+        if (!sample_shading) {
+            for (std::size_t before = 0; before < s; ++before) {
+                begins = begins & (won[before] != won[s]);
+            }
+            for (std::size_t after = s + 1; after < won.size(); ++after) {
+                count += select(won[after] == won[s], I(1), I(0));
+            }
         }
-        int known = 0;
-        while (!sample_shading && known < count &&
-               out[static_cast<std::size_t>(known)].triangle != won[s]) {
-            ++known;
-        }
-        if (sample_shading || known == count) {
-            out[static_cast<std::size_t>(count++)] = {won[s], offsets[s], 1};
-        } else {
-            ++out[static_cast<std::size_t>(known)].samples;
+        if (any(begins)) {
+            add(begins, won[s], s, count);
         }
     }
-    if (count == 1 && out[0].samples == static_cast<int>(offsets.size())) {
-        out[0].at = {0, 0};
-    }
-    return count;
 }
 
 }  // namespace glint

@@ -91,44 +91,46 @@ void ScanlineRasterizer::shade_row(const Mesh& mesh, std::span<const Shader> sha
                                    const Target& target, int y, Statistics& statistics) {
     row_.assign(static_cast<std::size_t>(owner_[0].width()), target.background);
     std::array<std::int32_t, max_samples> won{};
-    std::array<Fragment, max_samples> fragments{};
+    const std::span<const std::int32_t> of_pixel(won.data(), offsets_.size());
     for (int x = 0; x < owner_[0].width(); ++x) {
         for (std::size_t s = 0; s < offsets_.size(); ++s) {
             won[s] = owner_[s](x, y);
         }
-        const int count = resolve_pixel(won, offsets_, settings_.sample_shading, fragments);
-        for (int i = 0; i < count; ++i) {
-            const Fragment& f = fragments[static_cast<std::size_t>(i)];
-            const float share = static_cast<float>(f.samples) / static_cast<float>(offsets_.size());
-            row_[static_cast<std::size_t>(x)] +=
-                (shade(mesh, shaders, f, x, y) - target.background) * share;
-        }
-        statistics.fragments_shaded += count;
+        const glm::ivec2 centre = glm::ivec2(x, y) * subpixel_one + subpixel_one / 2;
+        resolve_pixels(of_pixel, settings_.sample_shading,
+                       [&](bool, std::int32_t triangle, std::size_t sample, std::int32_t count) {
+                           const SampleOffset o =
+                               count == settings_.samples ? SampleOffset{0, 0} : offsets_[sample];
+                           const Rgb<float> colour =
+                               shade(mesh, shaders, triangle, centre + glm::ivec2(o.x, o.y));
+                           const float share =
+                               static_cast<float>(count) / static_cast<float>(settings_.samples);
+                           row_[static_cast<std::size_t>(x)] +=
+                               (colour - target.background) * share;
+                           ++statistics.fragments_shaded;
+                       });
     }
 }
 
 Rgb<float> ScanlineRasterizer::shade(const Mesh& mesh, std::span<const Shader> shaders,
-                                     const Fragment& fragment, int x, int y) {
-    const ScreenTriangle& triangle = triangles_[static_cast<std::size_t>(fragment.triangle)];
+                                     std::int32_t index, glm::ivec2 at) {
+    const ScreenTriangle& triangle = triangles_[static_cast<std::size_t>(index)];
     const Shader& shader = shaders[mesh.materials.empty() ? 0 : mesh.materials[triangle.source]];
     won_a_sample_[triangle.source] = 1;
-    if (fragment.triangle != corners_of_) {  // neighbours are mostly of one triangle
+    if (index != corners_of_) {  // neighbours are mostly of one triangle
         corners_ = corner_varyings(shader, mesh, triangle);
         edges_ = edges_of(triangle.v);
-        corners_of_ = fragment.triangle;
+        corners_of_ = index;
     }
-    return settings_.rasterizer == Rasterizer::reference ? shade_as<double>(shader, fragment, x, y)
-                                                         : shade_as<float>(shader, fragment, x, y);
+    return settings_.rasterizer == Rasterizer::reference ? shade_as<double>(shader, triangle, at)
+                                                         : shade_as<float>(shader, triangle, at);
 }
 
 template <class T>
-Rgb<float> ScanlineRasterizer::shade_as(const Shader& shader, const Fragment& fragment, int x,
-                                        int y) const {
-    const ScreenTriangle& triangle = triangles_[static_cast<std::size_t>(fragment.triangle)];
-    const std::int64_t at_x = x * subpixel_one + subpixel_one / 2 + fragment.at.x;
-    const std::int64_t at_y = y * subpixel_one + subpixel_one / 2 + fragment.at.y;
-    const auto weights = barycentrics<T>(triangle, edges_, at_x, at_y).space;
-    const auto in = interpolate(shader, corners_, weights, rays_, at_x, at_y);
+Rgb<float> ScanlineRasterizer::shade_as(const Shader& shader, const ScreenTriangle& triangle,
+                                        glm::ivec2 at) const {
+    const auto weights = barycentrics<T>(triangle, edges_, at.x, at.y).space;
+    const auto in = interpolate(shader, corners_, weights, rays_, at.x, at.y);
     T rgb[3];
     if constexpr (std::same_as<T, double>) {
         shader.reference(shader.shader, in.data(), 1, 1, rgb);

@@ -1,10 +1,12 @@
 // A frame of the scanline rasterizer.
 #pragma once
 
-#include "framework/raster/fragment.hpp"
 #include "framework/raster/interpolate.hpp"
 #include "framework/raster/pipeline.hpp"
+#include "framework/raster/samples.hpp"
 #include "framework/raster/shader.hpp"
+
+#include <glm/vec2.hpp>
 
 #include <span>
 #include <vector>
@@ -23,10 +25,11 @@ class ScanlineRasterizer {
     void draw(std::int32_t index, std::size_t sample, const View& view);
     void shade_row(const Mesh& mesh, std::span<const Shader> shaders, const Target& target, int y,
                    Statistics& statistics);
-    Rgb<float> shade(const Mesh& mesh, std::span<const Shader> shaders, const Fragment& fragment,
-                     int x, int y);
+    // at: window position in 1/256 pixel.
+    Rgb<float> shade(const Mesh& mesh, std::span<const Shader> shaders, std::int32_t triangle,
+                     glm::ivec2 at);
     template <class T>
-    Rgb<float> shade_as(const Shader& shader, const Fragment& fragment, int x, int y) const;
+    Rgb<float> shade_as(const Shader& shader, const ScreenTriangle& triangle, glm::ivec2 at) const;
     void write_row(const Target& target, int y) const;
 
     Settings settings_;

@@ -7,6 +7,7 @@
 #include "framework/raster/bins.hpp"
 #include "framework/raster/eye_rays.hpp"
 #include "framework/raster/pipeline.hpp"
+#include "framework/raster/samples.hpp"
 #include "framework/raster/shader.hpp"
 #include "framework/image/image.hpp"
 #include "framework/image/srgb.hpp"
@@ -49,6 +50,15 @@ inline constexpr auto all_pixels = [] {
     return pixels;
 }();
 
+// At which sample a fragment is shaded, and for how many of its pixel's samples it stands; if for
+// all, it is shaded at the centre. I is int or lanes of it.
+inline constexpr int sample_bits = 4;
+static_assert(max_samples == 1 << sample_bits);
+template <class I>
+I sample_and_count(I sample, I count) {
+    return sample + (count << sample_bits);
+}
+
 // All that a frame's stages share; read-only while tiles are drawn.
 struct Frame {
     const Mesh* mesh;
@@ -87,25 +97,24 @@ struct TileBuffer {
     LineVector<std::int32_t> owner;
     std::vector<TileTriangle> triangles;
 
-    // Fragments: place of the pixel, place in triangles, offset from the pixel's centre in pixels,
-    // share of the pixel's samples. Offsets and shares are left out with one sample a pixel. Of a
-    // tile that is covered everywhere the first two are not listed: they are all its pixels, and
-    // owner.
+    // Fragments: place of the pixel, place in triangles, and, with more than one sample a pixel, at
+    // which sample it is shaded and for how many it stands: see sample_and_count(). Of a tile that
+    // is covered everywhere the first two are not listed: they are all its pixels, and owner.
     std::size_t fragments = 0;
     bool covered = false;
-    LineVector<std::int32_t> fragment_pixel, fragment_triangle;
-    LineVector<float> fragment_x, fragment_y, fragment_share;
+    LineVector<std::int32_t> fragment_pixel, fragment_triangle, fragment_sample;
 
-    // By triangle: 1 where it owns fragments. Planes by group: see tile_planes.hpp.
+    // By triangle: 1 more than the number of its shader where it owns fragments, else 0. Planes by
+    // group: see tile_planes.hpp.
     LineVector<std::int32_t> owns, plane_start;
     LineVector<float> planes;
     bool anchored_at_corners = true;  // all planes of the tile
 
     // The fragments are sorted by shader: where each shader's end; and scratch for sorting and
     // for runs of fragments.
-    LineVector<std::uint32_t> shader_end, order;
-    LineVector<std::int32_t> sorted_ints;
-    LineVector<float> sorted_floats;
+    LineVector<std::uint32_t> shader_end;
+    LineVector<std::int32_t> shader_of_fragment;
+    std::array<LineVector<std::int32_t>, 3> sorted;
 
     LineVector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
     std::array<LineVector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
@@ -136,10 +145,6 @@ inline std::size_t material_of(const Frame& frame, std::uint32_t source) {
     return materials.empty() ? 0 : materials[source];
 }
 
-inline const Shader& shader_of(const Frame& frame, std::uint32_t source) {
-    return frame.shaders[material_of(frame, source)];
-}
-
 inline ScreenTriangle screen_triangle(const Frame& frame, TileTriangle t) {
     if ((t.ref & piece_bit) != 0) {
         return frame.chunks[t.chunk].piece(t.ref);
@@ -154,6 +159,9 @@ bool find_visible(const Frame& frame, std::size_t tile, TileBuffer& buffer);
 
 // Lists the fragments of what find_visible() found, sorted by shader, and who owns them.
 void list_fragments(const Frame& frame, TileBuffer& buffer);
+
+// The second part of that, where a frame has several shaders. Those of one shader keep their order.
+void sort_by_shader(const Frame& frame, TileBuffer& buffer);
 
 // Shades them into buffer.colour or buffer.codes.
 void shade_tile(const Frame& frame, TileBuffer& buffer);

@@ -30,8 +30,12 @@ class PlaneSetup {
         for (std::size_t first = 0; first < tile_.triangles.size(); first += N) {
             const std::uint32_t owners = owners_from(first);
             for (std::uint32_t left = owners; left != 0;) {
-                const Shader& shader = shader_of(first + lane_of(left));
-                const std::uint32_t mine = lanes_of_shader(first, left, shader);
+                const std::int32_t number = tile_.owns[first + lane_of(left)];
+                const Shader& shader = frame_.shaders[static_cast<std::size_t>(number - 1)];
+                const std::uint32_t mine =
+                    frame_.shaders.size() == 1
+                        ? left
+                        : lane_bits(load<I>(&tile_.owns[first]) == I(number));
                 float* const planes = &tile_.planes[start_of(first)];
                 if (mine == owners) {
                     set_up_group(first, mine, shader, planes);
@@ -69,26 +73,11 @@ class PlaneSetup {
         return static_cast<std::size_t>(tile_.plane_start[first / N]);
     }
     std::uint32_t owners_from(std::size_t first) const {
-        return lane_bits(load<I>(&tile_.owns[first]) == I(1));
+        return lane_bits(load<I>(&tile_.owns[first]) > I(0));
     }
     static std::size_t lane_of(std::uint32_t lanes) {
         return static_cast<std::size_t>(std::countr_zero(lanes));
     }
-    const Shader& shader_of(std::size_t triangle) const {
-        return glint::shader_of(frame_, source_of(frame_, tile_.triangles[triangle]));
-    }
-    std::uint32_t lanes_of_shader(std::size_t first, std::uint32_t lanes,
-                                  const Shader& shader) const {
-        if (frame_.shaders.size() == 1) {
-            return lanes;
-        }
-        std::uint32_t mine = 0;
-        for (; lanes != 0; lanes &= lanes - 1) {
-            mine |= &shader_of(first + lane_of(lanes)) == &shader ? lanes & -lanes : 0;
-        }
-        return mine;
-    }
-
     static void copy_lanes(const float* from, std::size_t size, std::uint32_t lanes, float* to) {
         for (; lanes != 0; lanes &= lanes - 1) {
             for (std::size_t at = lane_of(lanes); at < size; at += N) {

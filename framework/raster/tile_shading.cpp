@@ -1,6 +1,7 @@
 // Stage 4, second part: the fragments of a tile, shaded in full registers. Neighbouring fragments
 // share a register whatever triangles they belong to.
 #include "framework/raster/tile.hpp"
+#include "framework/raster/tile_colours.hpp"
 #include "framework/raster/tile_planes.hpp"
 #include "framework/math/dispatch.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace glint {
 namespace {
-
-constexpr int batch = 256;  // fragments a call of the shader; their varyings stay in the L1 cache
 
 // The direction towards the eye over a tile.
 template <int N>
@@ -41,11 +40,17 @@ class TileShading {
 
   public:
     TileShading(const Frame& frame, TileBuffer& tile)
-        : frame_(frame), tile_(tile), multisampled_(frame.settings.samples > 1) {}
+        : frame_(frame), tile_(tile), colours_(frame, tile), samples_(frame.settings.samples) {
+        for (std::size_t s = 0; const SampleOffset o : sample_offsets(samples_)) {
+            const float to_pixel = 1.0F / static_cast<float>(subpixel_one);
+            sample_x_[s] = static_cast<float>(o.x) * to_pixel;
+            sample_y_[s++] = static_cast<float>(o.y) * to_pixel;
+        }
+    }
 
     void run() {
         const FlushSubnormals flush;
-        fill_background();
+        colours_.fill_background();
         std::size_t begin = 0;
         for (std::size_t s = 0; s < frame_.shaders.size(); ++s) {
             const std::size_t end = tile_.shader_end[s];
@@ -75,13 +80,7 @@ class TileShading {
                           : N == 4 ? shader.shade_4
                                    : shader.shade_1;
         call(shader.shader, in, batch, static_cast<int>(n), out);
-        if (multisampled_) {
-            accumulate(begin, n, out);
-        } else if (keeps_colour(frame_)) {
-            put_colours(begin, n, out);
-        } else {
-            put_codes(begin, n, out);
-        }
+        colours_.put(begin, n, out);
     }
 
     // Rows of the tile whose codes are all there when the fragments before this one are shaded.
@@ -102,9 +101,11 @@ class TileShading {
             const I pixel = load_padded<I>(&tile_.pixels()[begin + i], count);
             T x = to_float(pixel_column(pixel)) + T(0.5F);  // from the tile's corner
             T y = to_float(pixel_row(pixel)) + T(0.5F);
-            if (multisampled_) {
-                x += load_padded<T>(&tile_.fragment_x[begin + i], count);
-                y += load_padded<T>(&tile_.fragment_y[begin + i], count);
+            if (samples_ > 1) {
+                const I sample = load_padded<I>(&tile_.fragment_sample[begin + i], count);
+                const M centred = sample >> sample_bits == I(samples_);
+                x += select(centred, T(0.0F), lookup16(sample_x_.data(), sample));
+                y += select(centred, T(0.0F), lookup16(sample_y_.data(), sample));
             }
             interpolate_at<form>(begin + i, count, shader.varyings, x, y, out + i);
             if (shader.to_eye) {
@@ -199,73 +200,11 @@ class TileShading {
         return load<V>(padded.data());
     }
 
-    // ---- colours into the tile ----
-
-    void fill_background() {
-        const bool everywhere = tile_.fragments == tile_pixels && !multisampled_;
-        if (!keeps_colour(frame_)) {
-            tile_.codes.resize(tile_pixels);
-            if (!everywhere) {
-                std::fill(tile_.codes.begin(), tile_.codes.end(), frame_.background[0]);
-            }
-            return;
-        }
-        for (std::size_t c = 0; c < 3; ++c) {
-            tile_.colour[c].resize(tile_pixels);
-            if (!everywhere) {
-                std::fill(tile_.colour[c].begin(), tile_.colour[c].end(),
-                          frame_.target.background[static_cast<int>(c)]);
-            }
-        }
-    }
-
-    void put_colours(std::size_t begin, std::size_t n, const float* rgb) {
-        for (std::size_t i = 0; i < n; i += N) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                put(begin + i, std::min<std::size_t>(N, n - i), load<T>(rgb + c * batch + i),
-                    tile_.colour[c].data());
-            }
-        }
-    }
-
-    void put_codes(std::size_t begin, std::size_t n, const float* rgb) {
-        for (std::size_t i = 0; i < n; i += N) {
-            const I code = opaque_code(load<T>(rgb + i), load<T>(rgb + batch + i),
-                                       load<T>(rgb + 2 * batch + i));
-            put(begin + i, std::min<std::size_t>(N, n - i), code, tile_.codes.data());
-        }
-    }
-
-    // The values of n fragments, at most N, to their pixels.
-    template <class V, class Scalar>
-    void put(std::size_t begin, std::size_t n, const V& values, Scalar* out) const {
-        const std::int32_t* pixel = &tile_.pixels()[begin];
-        if (n == N && pixel[N - 1] - pixel[0] == N - 1) {
-            store(out + pixel[0], values);
-            return;
-        }
-        std::array<Scalar, N> value;
-        store(value.data(), values);
-        for (std::size_t i = 0; i < n; ++i) {
-            out[pixel[i]] = value[i];
-        }
-    }
-
-    // Replaces the background by the fragments' shares of their pixels.
-    void accumulate(std::size_t begin, std::size_t n, const float* rgb) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float background = frame_.target.background[static_cast<int>(c)];
-            for (std::size_t i = 0; i < n; ++i) {
-                const auto pixel = static_cast<std::size_t>(tile_.pixels()[begin + i]);
-                tile_.colour[c][pixel] +=
-                    (rgb[c * batch + i] - background) * tile_.fragment_share[begin + i];
-            }
-        }
-    }
-
     const Frame& frame_;
     TileBuffer& tile_;
-    bool multisampled_;
+    TileColours<N> colours_;
+    int samples_;
+    std::array<float, max_samples> sample_x_{}, sample_y_{};  // from the centre, pixels
 };
 
 }  // namespace

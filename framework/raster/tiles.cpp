@@ -39,12 +39,13 @@ void level_capacities(std::span<TileBuffer> buffers) {
     using B = TileBuffer;
     const auto level_all = [buffers](auto... vector) { (level(buffers, vector), ...); };
     level_all(&B::depth, &B::owner, &B::triangles, &B::fragment_pixel, &B::fragment_triangle,
-              &B::fragment_x, &B::fragment_y, &B::fragment_share, &B::owns, &B::plane_start,
-              &B::planes, &B::shader_end, &B::order, &B::sorted_ints, &B::sorted_floats,
-              &B::varyings, &B::radiance, &B::codes);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
+              &B::fragment_sample, &B::owns, &B::plane_start, &B::planes, &B::shader_end,
+              &B::shader_of_fragment, &B::varyings, &B::radiance, &B::codes);
+    for (std::size_t i = 0; i < 3; ++i) {
         level(
-            buffers, [channel](B & b) -> auto& { return b.colour[channel]; });
+            buffers, [i](B & b) -> auto& { return b.colour[i]; });
+        level(
+            buffers, [i](B & b) -> auto& { return b.sorted[i]; });
     }
 }
 

@@ -1,14 +1,19 @@
 // Samples of a pixel: which are covered, what the pixel becomes, and where it is shaded.
+#include "framework/raster/fragment.hpp"
 #include "framework/raster/samples.hpp"
 #include "framework/image/srgb.hpp"
 #include "tests/oracle/cases.hpp"
 #include "tests/oracle/coverage_oracle.hpp"
+#include "tests/unit/math/lane_types.hpp"
 #include "tests/unit/raster/drawing.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace glint {
 namespace {
@@ -78,6 +83,63 @@ TEST_CASE("the sample positions are Direct3D's, nearest to the centre first") {
     }
     for (const int samples : {-1, 0, 3, 5, 15, 17, 32}) {
         CHECK_THROWS_AS(sample_offsets(samples), Error);
+    }
+}
+
+// Said in other words: a pixel's triangles, each with its first sample and how many it won.
+std::map<std::int32_t, std::pair<std::size_t, int>> winners(const std::vector<std::int32_t>& won) {
+    std::map<std::int32_t, std::pair<std::size_t, int>> all;
+    for (std::size_t s = 0; s < won.size(); ++s) {
+        if (won[s] >= 0) {
+            ++all.try_emplace(won[s], s, 0).first->second.second;
+        }
+    }
+    return all;
+}
+
+TEST_CASE_TEMPLATE("fragments are a pixel's triangles, in every lane", F, float, ALL_LANES) {
+    using I = IntOf<F>;
+    constexpr int n = lanes_of<F>;
+    Random random(8);
+    for (int round = 0; round < 300; ++round) {
+        const auto samples = static_cast<std::size_t>(sample_counts[round % 5]);
+        const int most = random.between(0, 4);  // triangles
+        std::vector<I> won(samples);
+        std::vector<std::vector<std::int32_t>> of_pixel(n, std::vector<std::int32_t>(samples));
+        for (std::size_t s = 0; s < samples; ++s) {
+            std::int32_t lanes[n];
+            for (int i = 0; i < n; ++i) {
+                lanes[i] = random.between(-1, most);
+                of_pixel[static_cast<std::size_t>(i)][s] = lanes[i];
+            }
+            won[s] = load<I>(lanes);
+        }
+        std::vector<std::map<std::int32_t, std::pair<std::size_t, int>>> once(n);
+        resolve_pixels<I>(
+            won, false,
+            [&](MaskOf<F> where, const I& triangle, std::size_t sample, const I& count) {
+                for (int i = 0; i < n; ++i) {
+                    if (lane(where, i)) {
+                        auto& known = once[static_cast<std::size_t>(i)];
+                        CHECK(known.try_emplace(lane(triangle, i), sample, lane(count, i)).second);
+                    }
+                }
+            });
+        std::vector<std::vector<std::int32_t>> each(
+            n, std::vector<std::int32_t>(samples, no_triangle));
+        resolve_pixels<I>(
+            won, true, [&](MaskOf<F> where, const I& triangle, std::size_t sample, const I& count) {
+                for (int i = 0; i < n; ++i) {
+                    if (lane(where, i)) {
+                        each[static_cast<std::size_t>(i)][sample] = lane(triangle, i);
+                        CHECK(lane(count, i) == 1);
+                    }
+                }
+            });
+        for (std::size_t i = 0; i < of_pixel.size(); ++i) {
+            CHECK(once[i] == winners(of_pixel[i]));
+            CHECK(each[i] == of_pixel[i]);
+        }
     }
 }
 

@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <iostream>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -47,10 +49,19 @@ Lighting lights(int count) {
     return lighting;
 }
 
+// Three materials, in stripes.
+Mesh striped(Mesh mesh) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        mesh.materials.push_back(static_cast<std::uint16_t>(t / 10 % 3));
+    }
+    return mesh;
+}
+
 struct Frame {
     Mesh mesh;
     Lighting lighting;
     View view;
+    int samples = 1;
 };
 
 Frame frame(std::string_view name) {
@@ -64,6 +75,9 @@ Frame frame(std::string_view name) {
     if (name == "many_lights") {
         return {sheet(16), lights(64), {as_it_is, 320, 240}};
     }
+    if (name == "many_samples") {
+        return {striped(sheet(64)), lights(2), {as_it_is, 320, 240}, 4};
+    }
     throw Error("there is no frame " + std::string(name));
 }
 
@@ -71,8 +85,9 @@ Frame frame(std::string_view name) {
 
 // Valgrind finds it by its name.
 extern "C" [[gnu::noinline]] void counted_frame(Renderer& renderer, const Frame& f,
-                                                const Shader& shader, SrgbImage& picture) {
-    renderer.render(f.mesh, f.view, {&shader, 1}, {.srgb = &picture});
+                                                std::span<const Shader> shaders,
+                                                SrgbImage& picture) {
+    renderer.render(f.mesh, f.view, shaders, {.srgb = &picture});
 }
 
 int main(int argc, char** argv) {
@@ -81,13 +96,13 @@ int main(int argc, char** argv) {
         const EnginePhong phong{Rgb<float>(0.5F, 0.3F, 0.2F), Rgb<float>(0.04F), 50};
         const float from = highlight_from(phong, f.lighting, radiance_of_codes(1e-3F));
         const LitFromAfar lit{{phong, from}, f.lighting};
-        const Shader shader = plug(lit);
-        Renderer renderer({.lanes = lanes});
+        const std::vector<Shader> shaders(f.mesh.materials.empty() ? 1 : 3, plug(lit));
+        Renderer renderer({.lanes = lanes, .samples = f.samples});
         SrgbImage picture;
-        const Statistics s = renderer.render(f.mesh, f.view, {&shader, 1}, {.srgb = &picture});
+        const Statistics s = renderer.render(f.mesh, f.view, shaders, {.srgb = &picture});
         std::cerr << s.triangles_visible << " triangles seen, " << s.fragments_shaded
                   << " fragments shaded\n";
-        counted_frame(renderer, f, shader, picture);
+        counted_frame(renderer, f, shaders, picture);
         return 0;
     } catch (const std::exception& e) {
         std::cerr << "error: " << e.what() << "\n";

@@ -116,7 +116,7 @@ struct TileBuffer {
     LineVector<std::int32_t> shader_of_fragment;
     std::array<LineVector<std::int32_t>, 3> sorted;
 
-    LineVector<float> varyings, radiance;     // of a batch of fragments, see shader.hpp
+    LineVector<float> shader_values;          // of a batch of fragments: see tile_shading.cpp
     std::array<LineVector<float>, 3> colour;  // red, green, blue by pixel, if keeps_colour()
     LineVector<std::int32_t> codes;           // sRGB by pixel, as Rgba8 lies in memory
 

@@ -63,10 +63,13 @@ class TileShading {
 
   private:
     void shade(const Shader& shader, std::size_t begin, std::size_t n) {
-        tile_.varyings.resize(max_varyings * batch);
-        tile_.radiance.resize(3 * batch);
-        float* in = tile_.varyings.data();
-        float* out = tile_.radiance.data();
+        // Colours begin at the same place of a page as varyings. A little further, each would be
+        // stored at the place that is read next, which processors tell apart by guessing.
+        constexpr std::size_t varyings = max_varyings * batch;
+        static_assert(varyings * sizeof(float) % 4096 == 0);
+        tile_.shader_values.resize(varyings + 3 * batch);
+        float* in = tile_.shader_values.data();
+        float* out = in + varyings;
         if (shader.directions_only) {
             interpolate<Form::directions>(shader, begin, n, in);
         } else if (tile_.anchored_at_corners) {

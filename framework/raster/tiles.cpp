@@ -40,7 +40,7 @@ void level_capacities(std::span<TileBuffer> buffers) {
     const auto level_all = [buffers](auto... vector) { (level(buffers, vector), ...); };
     level_all(&B::depth, &B::owner, &B::triangles, &B::fragment_pixel, &B::fragment_triangle,
               &B::fragment_sample, &B::owns, &B::plane_start, &B::planes, &B::shader_end,
-              &B::shader_of_fragment, &B::varyings, &B::radiance, &B::codes);
+              &B::shader_of_fragment, &B::shader_values, &B::codes);
     for (std::size_t i = 0; i < 3; ++i) {
         level(
             buffers, [i](B & b) -> auto& { return b.colour[i]; });

@@ -135,12 +135,14 @@ std::string llvmpipe_table(const json& bench) {
 }
 
 std::string work_table(const json& bench) {
-    Table table({"scene", "threads", "ns a fragment", "straight kernel, ns", "Mtriangles/s",
-                 "of the FMA peak", "of the write peak"});
+    Table table({"scene", "threads", "ns a fragment", "straight kernel, ns", "whole model, ns",
+                 "times the floor", "Mtriangles/s", "of the FMA peak", "of the write peak"});
     for (const json& s : bench.at("scenes")) {
         table.add({s.at("scene"), whole(s, "threads"), number(s, "ns_per_fragment"),
-                   number(s, "kernel_ns_per_fragment"), number(s, "million_triangles_per_second"),
-                   percent(s, "share_of_fma_peak"), percent(s, "share_of_write_peak")});
+                   number(s, "kernel_ns_per_fragment"), number(s, "whole_model_ns_per_fragment"),
+                   decimals(ratio(s, "glint_ms_min", "floor_ms"), 2),
+                   number(s, "million_triangles_per_second"), percent(s, "share_of_fma_peak"),
+                   percent(s, "share_of_write_peak")});
     }
     return table.text();
 }

@@ -34,6 +34,8 @@ struct SceneResult {
     double operations = 0;       // of floating point, to shade all fragments; counted
     double bytes = 0;            // that no way to draw it can spare: the mesh and the picture
     double kernel_ns = 0;        // a fragment of the straight kernel, a core
+    double whole_ns = 0;         // and of the whole model, all highlights everywhere
+    double floor_ms = 0;         // the kernel over all fragments, the picture cleared at the peak
     double share_of_fma = 0;     // of the measured peak, counted operations
     double share_of_write = 0;   // of the measured peak, the picture's bytes
 
@@ -43,6 +45,7 @@ struct SceneResult {
     double million_triangles_per_second() const {
         return static_cast<double>(triangles) / (1e3 * glint.least());
     }
+    double times_floor() const { return glint.least() / floor_ms; }
     double times_faster() const { return llvmpipe.least() / glint.least(); }
 };
 

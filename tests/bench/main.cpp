@@ -17,6 +17,8 @@ constexpr const char* examples =
 scene says otherwise, one sample a pixel, back faces culled. All contenders run in turns, pinned to
 as many cores as they have threads; compare minima, for slow spells of the machine only add.
 kernel: the same shading over full rows of pixels, with neither triangles nor edges, ns a fragment.
+whole: the same with all highlights everywhere, not where they show.
+floor: the kernel over all fragments, and the picture cleared at the peak of writing.
 FMA, write: share of the measured peaks of the machine.
 
 Examples:

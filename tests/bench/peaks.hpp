@@ -19,8 +19,8 @@ Peak fma_peak(int lanes);
 // Bytes written to a block larger than the caches.
 Peak write_peak();
 
-// Lesson 15's model over rows of full registers, encoded to sRGB and stored: the same fragments
-// with neither triangles nor edges, varyings a linear function of the column.
-Peak straight_kernel(const BenchShader& shader, const glm::vec3& eye, int lanes);
+// Lesson 15's model over rows of full registers, encoded to sRGB and stored: fragments as of a
+// round thing that fills the picture, with neither triangles nor edges.
+Peak straight_kernel(const BenchShader& shader, int lanes);
 
 }  // namespace glint

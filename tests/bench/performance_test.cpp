@@ -15,6 +15,13 @@ json scene(const std::string& name, int threads, double ms) {
            {"glint_ms_min", ms},
            {"operations", 4e6},
            {"bytes", 8e6},
+           {"ns_per_fragment", 5},
+           {"kernel_ns_per_fragment", 3},
+           {"whole_model_ns_per_fragment", 4},
+           {"floor_ms", 3.2},
+           {"million_triangles_per_second", 20},
+           {"share_of_fma_peak", 0.5},
+           {"share_of_write_peak", 0.125},
            {"stages",
             {{"geometry_ms", 0.5},
              {"visibility_ms", 1},
@@ -55,6 +62,11 @@ TEST_CASE("ways are beside their aims, which are bold where they are reached") {
     CHECK(has(table, "(aim 1.85)"));
     CHECK(has(table, "| one | 4.00 | **8.0** | **2.00** | 25.0 |\n"));
     CHECK(has(table, "| two | 10.0 | **8.0** | 1.25 | 25.0 |\n"));
+}
+
+TEST_CASE("a scene's work is beside what it cannot do without") {
+    CHECK(has(work_table(bench()),
+              "| one | 1 | 5.00 | 3.00 | 4.00 | 1.25 | 20.0 | 50.0 % | 12.5 % |\n"));
 }
 
 TEST_CASE("slopes from point to point") {

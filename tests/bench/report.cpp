@@ -22,9 +22,10 @@ namespace {
 
 std::string row(const SceneResult& r) {
     std::string line =
-        format("%-9s %3d %9.2f %9.2f %7.2f %8.2f %7.1f %5.0f%% %5.0f%%", r.scene.c_str(), r.threads,
-               r.glint.least(), r.glint.median(), r.ns_per_fragment(), r.kernel_ns,
-               r.million_triangles_per_second(), 100 * r.share_of_fma, 100 * r.share_of_write);
+        format("%-9s %3d %9.2f %9.2f %7.2f %8.2f %7.2f %7.2f %7.1f %5.0f%% %5.0f%%",
+               r.scene.c_str(), r.threads, r.glint.least(), r.glint.median(), r.ns_per_fragment(),
+               r.kernel_ns, r.whole_ns, r.times_floor(), r.million_triangles_per_second(),
+               100 * r.share_of_fma, 100 * r.share_of_write);
     if (!r.llvmpipe.ms.empty()) {
         line += format(" %9.2f %9.2f %7.2f %5d %8.4f", r.llvmpipe.least(), r.llvmpipe.median(),
                        r.times_faster(), r.between.largest, r.between.mean);
@@ -70,6 +71,8 @@ nlohmann::json to_json(const SceneResult& r) {
                      {"glint_ms_median", r.glint.median()},
                      {"ns_per_fragment", r.ns_per_fragment()},
                      {"kernel_ns_per_fragment", r.kernel_ns},
+                     {"whole_model_ns_per_fragment", r.whole_ns},
+                     {"floor_ms", r.floor_ms},
                      {"million_triangles_per_second", r.million_triangles_per_second()},
                      {"share_of_fma_peak", r.share_of_fma},
                      {"share_of_write_peak", r.share_of_write},
@@ -99,7 +102,9 @@ std::string table(const BenchResult& result) {
     if (peer) {
         text += "peer: " + result.peer + "\n";
     }
-    text += "\nscene   threads ms, least   median ns/frag   kernel Mtri/s   FMA  write";
+    text +=
+        "\nscene   threads ms, least   median ns/frag   kernel   whole x floor  Mtri/s   FMA  "
+        "write";
     text += peer ? "  peer, ms    median   times  largest, mean difference\n" : "\n";
     for (const SceneResult& r : result.scenes) {
         text += row(r);

@@ -32,10 +32,7 @@ class PlaneSetup {
             for (std::uint32_t left = owners; left != 0;) {
                 const std::int32_t number = tile_.owns[first + lane_of(left)];
                 const Shader& shader = frame_.shaders[static_cast<std::size_t>(number - 1)];
-                const std::uint32_t mine =
-                    frame_.shaders.size() == 1
-                        ? left
-                        : lane_bits(load<I>(&tile_.owns[first]) == I(number));
+                const std::uint32_t mine = lane_bits(load<I>(&tile_.owns[first]) == I(number));
                 float* const planes = &tile_.planes[start_of(first)];
                 if (mine == owners) {
                     set_up_group(first, mine, shader, planes);
@@ -78,6 +75,7 @@ class PlaneSetup {
     static std::size_t lane_of(std::uint32_t lanes) {
         return static_cast<std::size_t>(std::countr_zero(lanes));
     }
+
     static void copy_lanes(const float* from, std::size_t size, std::uint32_t lanes, float* to) {
         for (; lanes != 0; lanes &= lanes - 1) {
             for (std::size_t at = lane_of(lanes); at < size; at += N) {

@@ -3,8 +3,8 @@
 //
 //     integral of cos(theta)^n cos(theta) d omega = 2 pi / (n + 2)     so the factor (n + 2)/(2 pi)
 //
-// It is exact at normal incidence only; elsewhere a part of the lobe is below the horizon, and the
-// albedo A(theta, n) falls towards cos(theta): a safe bound, never above 1.
+// It is exact at normal incidence only: aslant the lobe leaves about R, where the projection N.V is
+// about cos(theta), and towards that falls the albedo A(theta, n). A safe bound, never above 1.
 #pragma once
 
 #include "lessons/03_brdf/brdf.hpp"

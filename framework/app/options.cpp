@@ -172,8 +172,13 @@ void add_output(CLI::App& app, Options& o, const std::string& name) {
 
 void add_files(CLI::App& app, Options& o, const std::vector<FileOption>& files) {
     for (const FileOption& f : files) {
-        option(app, f.flag.c_str(), f.type.c_str(), f.meaning,
-               [&o, flag = f.flag](Text t) { o.files[flag] = t; });
+        option(app, f.flag.c_str(), f.type.c_str(), f.meaning, [&](Text t) {
+            const std::string ending = f.type.substr(f.type.find('.'));
+            if (f.writes && !t.ends_with(ending)) {
+                refuse(f.flag, t, "needs a name that ends in " + ending);
+            }
+            o.files[f.flag] = t;
+        });
     }
 }
 

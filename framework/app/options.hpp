@@ -45,7 +45,7 @@ class Parameters {
 struct FileOption {
     std::string flag, type, meaning;  // "--read", "FILE.binary", what for
     std::function<void(const std::string& path, const Parameters&)> use;
-    bool writes = false;  // used last, when all else is done; else first
+    bool writes = false;  // used last, when all else is done, and ends as type does; else first
 };
 
 enum class ViewMode { shaded, normal, depth, triangle, overdraw, tiles };

@@ -21,6 +21,26 @@ std::optional<Number> number(const std::string& text) {
     return value;
 }
 
+std::optional<glm::vec3> three_numbers(const std::string& text) {
+    const auto parts = split(text, ',');
+    glm::vec3 v{};
+    for (int i = 0; i < 3; ++i) {
+        const auto value =
+            parts.size() == 3 ? finite_number(parts[static_cast<std::size_t>(i)]) : std::nullopt;
+        if (!value) {
+            return std::nullopt;
+        }
+        v[i] = *value;
+    }
+    return v;
+}
+
+void require_light(const std::string& option, const std::string& text, const Rgb<float>& amount) {
+    if (std::min({amount.r, amount.g, amount.b}) < 0) {
+        refuse(option, text, "light is never negative");
+    }
+}
+
 }  // namespace
 
 void refuse(const std::string& option, const std::string& text, const std::string& allowed) {
@@ -66,17 +86,11 @@ int count_up_to(const std::string& option, const std::string& text, int most) {
 }
 
 glm::vec3 triple(const std::string& option, const std::string& text) {
-    const auto parts = split(text, ',');
-    glm::vec3 v{};
-    for (int i = 0; i < 3; ++i) {
-        const auto value =
-            parts.size() == 3 ? finite_number(parts[static_cast<std::size_t>(i)]) : std::nullopt;
-        if (!value) {
-            refuse(option, text, "needs three finite numbers with commas between, like 1,0.5,2");
-        }
-        v[i] = *value;
+    const auto v = three_numbers(text);
+    if (!v) {
+        refuse(option, text, "needs three finite numbers with commas between, like 1,0.5,2");
     }
-    return v;
+    return *v;
 }
 
 Rgb<float> reflectance(const std::string& option, const std::string& text) {
@@ -89,18 +103,20 @@ Rgb<float> reflectance(const std::string& option, const std::string& text) {
 
 Rgb<float> light_amount(const std::string& option, const std::string& text) {
     const Rgb<float> c = triple(option, text);
-    if (std::min({c.r, c.g, c.b}) < 0) {
-        refuse(option, text, "light is never negative");
-    }
+    require_light(option, text, c);
     return c;
 }
 
 std::pair<glm::vec3, Rgb<float>> light_at(const std::string& option, const std::string& text) {
     const auto parts = split(text, ':');
-    if (parts.size() != 2) {
-        refuse(option, text, "needs a place or direction and a colour, x,y,z:r,g,b");
+    const auto at = parts.size() == 2 ? three_numbers(parts[0]) : std::nullopt;
+    const auto amount = parts.size() == 2 ? three_numbers(parts[1]) : std::nullopt;
+    if (!at || !amount) {
+        refuse(option, text,
+               "needs a place or direction and a colour, three finite numbers each, x,y,z:r,g,b");
     }
-    return {triple(option, parts[0]), light_amount(option, parts[1])};
+    require_light(option, text, *amount);
+    return {*at, *amount};
 }
 
 std::pair<int, int> picture_size(const std::string& text) {

@@ -159,7 +159,7 @@ TEST_CASE("the program takes no bad table: exit code 2, one line, no picture") {
     write_merl(folder / "odd.binary", numbered(2, 2, 3));
     for (const std::string arguments :
          {"--read none.binary", "--read short.binary", "--read odd.binary",
-          "--set size=4 --write no/such/folder.binary"}) {
+          "--set size=4 --write no/such/folder.binary", "--set size=4 --write table.png"}) {
         CAPTURE(arguments);
         const Run r = run(folder, arguments + " --out a.png");
         CHECK(r.status == 2);

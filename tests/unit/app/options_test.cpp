@@ -164,7 +164,7 @@ TEST_CASE("what cannot be is refused in one line that names the option and what 
         {"--near", {"0", "-1", "nan", "inf", "1e-40", "close"}, "above 0"},
         {"--far", {"0", "-1", "nan", "inf", "1e39", ""}, "above 0"},
         {"--light", {"1,0,0", "1,0,0:1,1,1:2", "", "x"}, "x,y,z:r,g,b"},
-        {"--light", {"1,0:1,1,1", "1,0,0:1,1"}, "three"},
+        {"--light", {"1,0:1,1,1", "1,0,0:1,1", "nan,0,0:1,1,1"}, "three"},
         {"--light", {"0,0,0:1,1,1"}, "0,0,0"},
         {"--light", {"1,0,0:-1,0,0"}, "never negative"},
         {"--point-light", {"1,0,0", "a:b:c"}, "x,y,z:r,g,b"},

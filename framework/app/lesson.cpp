@@ -12,7 +12,7 @@
 #include "framework/image/png.hpp"
 #include "framework/math/error.hpp"
 
-#include <cstdio>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -20,11 +20,27 @@
 namespace glint {
 namespace {
 
+// Beyond, and below its inverse, the squares of distances leave the range of float.
+constexpr float largest_extent = 1e18F;
+
+void require_extent(const std::string& file, const Mesh& mesh) {
+    const Bounds box = bounds(mesh);
+    const glm::vec3 extent = box.high - box.low;
+    const float largest = std::max({extent.x, extent.y, extent.z});
+    if (!(largest <= largest_extent)) {
+        throw Error(file + ": reaches over more than 1e18, too far to be drawn; scale it down");
+    }
+    if (!(largest >= 1 / largest_extent)) {
+        throw Error(file + ": all its triangles lie in one point; there is nothing to draw");
+    }
+}
+
 void load_mesh(const Options& o, Scene& scene) {
     Obj obj = read_obj(o.scene_file);
     for (const std::string& warning : obj.warnings) {
         std::cerr << "warning: " << warning << '\n';
     }
+    require_extent(o.scene_file, obj.mesh);
     scene.mesh = std::move(obj.mesh);
     scene.materials = std::move(obj.materials);
 }
@@ -65,6 +81,12 @@ void override_camera(const Options& o, const Mesh& mesh, Camera& camera) {
     }
     camera.near = o.near.value_or(camera.near);
     camera.far = o.far.value_or(camera.far);
+}
+
+void override_by(const Options& o, Scene& scene) {
+    override_materials(o, scene.materials);
+    override_lights(o, scene.lighting);
+    override_camera(o, scene.mesh, scene.camera);
 }
 
 // Where the heat map of --compare goes.
@@ -176,9 +198,17 @@ Scene make_scene(const Lesson& lesson, const Options& o) {
     if (!o.scene_file.empty()) {
         load_mesh(o, scene);
     }
-    override_materials(o, scene.materials);
-    override_lights(o, scene.lighting);
-    override_camera(o, scene.mesh, scene.camera);
+    override_by(o, scene);
+    return scene;
+}
+
+Scene make_scene(const Lesson& lesson, const Options& o, const Scene& before) {
+    Scene scene = lesson.stage(o.parameters);
+    if (!o.scene_file.empty()) {
+        scene.mesh = before.mesh;
+        scene.materials = before.materials;
+    }
+    override_by(o, scene);
     return scene;
 }
 

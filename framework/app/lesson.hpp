@@ -52,9 +52,12 @@ auto shade_each_material(Make make) {
 }
 
 // The scene that the options ask for: the lesson's stage or a file, and what overrides it; lights
-// that are black are left out. Warnings
-// about a file go to standard error. Error where it cannot be had.
+// that are black are left out. Warnings about a file go to standard error. Error where it cannot be
+// had.
 Scene make_scene(const Lesson& lesson, const Options& options);
+
+// The same where `before` was made for the same file, which is not read again.
+Scene make_scene(const Lesson& lesson, const Options& options, const Scene& before);
 
 // Does what the command line says; returns main()'s exit code: 0, or 2 with one line on standard
 // error where the command line or a file is at fault, and then nothing is written.

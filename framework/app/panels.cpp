@@ -87,8 +87,10 @@ void add_panel(const Drawing& part, int left, const Options& o, Drawing& whole) 
 Drawing draw_panels(const Lesson& lesson, const Options& o) {
     const std::vector<PanelOptions> parts = panels_of(lesson, o);
     Drawing whole;
+    Scene scene;
     for (const auto& [options, left] : parts) {
-        const Drawing part = draw(lesson, options, make_scene(lesson, options));
+        scene = left == 0 ? make_scene(lesson, options) : make_scene(lesson, options, scene);
+        const Drawing part = draw(lesson, options, scene);
         if (parts.size() == 1) {
             return part;
         }

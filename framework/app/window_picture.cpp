@@ -221,7 +221,8 @@ void LivePicture::restage() {
     std::vector<Part> parts;
     for (PanelOptions& at : panels_of(lesson_, options_)) {
         const std::size_t i = std::min(parts.size(), parts_.size() - 1);
-        Scene scene = scene_of(at.options);
+        Scene scene = parts_.empty() ? make_scene(lesson_, at.options)
+                                     : make_scene(lesson_, at.options, parts_.front().scene);
         const Camera home = scene.camera;
         if (!parts_.empty() && !same_place(parts_[i].scene.camera, parts_[i].home)) {
             scene.camera = parts_[i].scene.camera;
@@ -230,20 +231,6 @@ void LivePicture::restage() {
     }
     parts_ = std::move(parts);
     stale_ = true;
-}
-
-// A stage may depend on the parameters; a mesh from a file does not, nor is it read again.
-Scene LivePicture::scene_of(const Options& options) const {
-    if (options.scene_file.empty() || parts_.empty()) {
-        return make_scene(lesson_, options);
-    }
-    Options without_file = options;
-    without_file.scene_file.clear();
-    Scene scene = make_scene(lesson_, without_file);
-    scene.mesh = parts_.front().scene.mesh;
-    scene.materials = parts_.front().scene.materials;
-    scene.camera = parts_.front().home;
-    return scene;
 }
 
 }  // namespace glint

@@ -67,7 +67,6 @@ class LivePicture final : public PictureSource {
 
     void arrange();
     void restage();
-    Scene scene_of(const Options& options) const;
     void steer(const auto& move);
     void probe();
 

@@ -77,6 +77,9 @@ Camera around(const Mesh& mesh, Camera camera) {
     const float distance = length(camera.eye - centre);
     camera.near = std::max(distance - 1.1F * radius, 0.01F * radius);
     camera.far = distance + 1.1F * radius;
+    if (!(camera.near < camera.far)) {
+        throw Error("camera: the eye is too far away to see the mesh; move it nearer");
+    }
     return camera;
 }
 

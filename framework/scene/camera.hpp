@@ -28,7 +28,8 @@ glm::mat4 clip_from_world(const Camera& camera, float aspect);
 // and sets near and far about that sphere. Error where the mesh has no extent.
 Camera frame(const Mesh& mesh, Camera camera, float aspect);
 
-// Sets near and far about the sphere round the mesh's bounds, as seen from where the eye is.
+// Sets near and far about the sphere round the mesh's bounds, as seen from where the eye is. Error
+// where that is so far away that no number lies between them.
 Camera around(const Mesh& mesh, Camera camera);
 
 }  // namespace glint

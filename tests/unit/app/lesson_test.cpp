@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -59,6 +61,7 @@ TEST_CASE("bad input: exit code 2, one line on standard error, no file") {
                                         "--compare no_such.png",
                                         "--up 0,0,0",
                                         "--eye 1,1,1 --target 1,1,1",
+                                        "--eye 1e30,0,0",
                                         "--eye 0,5,0 --target 0,0,0 --up 0,1,0"}) {
         CAPTURE(arguments);
         const TemporaryFolder folder;
@@ -227,6 +230,33 @@ TEST_CASE("a mesh of one's own is framed, drawn and warned about") {
     const Image<float> triangle = read_pfm_grey(folder / "t.pfm");
     CHECK(triangle(20, 15) >= 0.0F);
     CHECK(triangle(0, 0) == -1.0F);
+}
+
+// One triangle; its material is nowhere to be found.
+void write_triangle(const std::filesystem::path& file, const std::string& size) {
+    std::ofstream(file) << "v 0 0 0\nv " << size << " 0 0\nv 0 " << size
+                        << " 0\nusemtl none\nf 1 2 3\n";
+}
+
+TEST_CASE("a mesh of any size is framed, or refused by its name") {
+    for (const std::string size : {"0", "1e-30", "1e-17", "1", "1e17", "1e30"}) {
+        CAPTURE(size);
+        const TemporaryFolder folder;
+        write_triangle(folder / "a.obj", size);
+        const Run r = run(folder, "--size 40x30 --set lights=1 --scene a.obj --view triangle");
+        const bool drawn = size == "1e-17" || size == "1" || size == "1e17";
+        CHECK(r.status == (drawn ? 0 : 2));
+        CHECK((r.err.find("error: a.obj: ") == std::string::npos) == drawn);
+    }
+}
+
+TEST_CASE("a mesh is read once for all panels: warnings come once") {
+    const TemporaryFolder folder;
+    write_triangle(folder / "a.obj", "1");
+    const Run r = run(folder, "--size 40x30 --scene a.obj");
+    CHECK(r.status == 0);
+    CHECK(lines(r.err) == 1);
+    CHECK(r.err.find("warning: a.obj:4: ") != std::string::npos);
 }
 
 TEST_CASE("--help explains itself and is no failure") {

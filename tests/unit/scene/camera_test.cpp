@@ -192,6 +192,8 @@ TEST_CASE("a mesh without extent cannot be framed") {
     point.triangles = {{0, 1, 2}};
     CHECK_THROWS_AS(frame(point, {}, 1.0F), Error);
     CHECK_THROWS_AS(around(point, {}), Error);
+    point.positions[1].x = 2;
+    CHECK_THROWS_AS(around(point, {.eye = {1e30F, 0, 0}}), Error);
     CHECK_THROWS_AS(frame(Mesh{}, {}, 1.0F), Error);
 }
 

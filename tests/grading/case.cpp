@@ -33,7 +33,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Frame, width, height, pixels, light)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Batch, number, columns, answers_a_row, questions, checks,
                                    mistakes, floor, frame)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Case, name, kind, points, hidden, batches)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Task, id, title, cases)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Task, id, title, of, cases)
 
 void to_json(nlohmann::json& j, const Lesson& lesson) {
     j = {{"name", lesson.name}, {"header", lesson.header}, {"tasks", lesson.tasks}};

@@ -59,6 +59,7 @@ struct Case {
 
 struct Task {
     std::string id, title;
+    std::string of;  // what the numbers of a question are, vectors by their length: "N[3] L[3] n"
     std::vector<Case> cases;
 };
 

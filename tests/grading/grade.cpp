@@ -99,7 +99,8 @@ void say_what_it_builds_on(std::ostream& out, const Report& report) {
     for (const LessonResult& l : report.lessons) {
         if (l.earned() < l.points() && l.verdict == Verdict::wrong) {
             for (const std::string& before : unsolved_before(l.lesson, SOURCE_FOLDER)) {
-                out << l.lesson << " builds on " << before << ", which is not all right yet\n";
+                out << before << " is not all right yet, and " << l.lesson
+                    << " builds on it: begin there\n";
             }
         }
     }
@@ -120,10 +121,10 @@ int one(const Options& o) {
         }
     }
     std::ostream& out = printed ? std::cerr : std::cout;
-    print(out, report);
     if (o.submission == SOURCE_FOLDER) {
         say_what_it_builds_on(out, report);
     }
+    print(out, report);
     return report.is_final() ? 0 : 3;
 }
 

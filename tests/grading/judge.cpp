@@ -37,13 +37,18 @@ double distance(const Mistake& mistake, std::span<const double> answers) {
     return sum;
 }
 
-// Of the known mistakes that fit, the one whose answers are nearest.
+// Of the known mistakes that fit, the one whose answers are nearest; of the same answers, a task's
+// own rather than those of a header in which nothing is done.
 template <class Fits>
 const Mistake* nearest(const Batch& batch, std::span<const double> answers, Fits fits) {
     const Mistake* best = nullptr;
     for (const Mistake& m : batch.mistakes) {
-        if (fits(m) && agrees(m, answers) &&
-            (best == nullptr || distance(m, answers) < distance(*best, answers))) {
+        if (!fits(m) || !agrees(m, answers)) {
+            continue;
+        }
+        const double nearer =
+            best == nullptr ? -1 : distance(m, answers) - distance(*best, answers);
+        if (nearer < 0 || (nearer == 0 && best->task.empty())) {
             best = &m;
         }
     }

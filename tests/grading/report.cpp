@@ -62,6 +62,23 @@ std::string joined(const std::vector<double>& numbers) {
     return text;
 }
 
+// A question's numbers by their names: N = (0, 0, 1), n = 32.
+std::string named(const Failure& f) {
+    std::istringstream names(f.of);
+    std::string text;
+    auto at = f.question.begin();
+    for (std::string name; names >> name;) {
+        const std::size_t bracket = name.find('[');
+        const bool is_vector = bracket != std::string::npos;
+        const auto end = at + (is_vector ? name.at(bracket + 1) - '0' : 1);
+        const std::string value = joined({at, end});
+        text += (text.empty() ? "" : ", ") + name.substr(0, bracket) + " = " +
+                (is_vector ? "(" + value + ")" : value);
+        at = end;
+    }
+    return text;
+}
+
 // Bounds as a value where they are those of one.
 std::string wanted(const Failure& f) {
     const double middle = (f.low + f.high) / 2;
@@ -99,6 +116,11 @@ void print_task(std::ostream& out, const TaskResult& t) {
     }
 }
 
+bool has_hidden_cases(const TaskResult& t) {
+    return std::any_of(t.cases.begin(), t.cases.end(),
+                       [](const CaseResult& c) { return c.hidden; });
+}
+
 void print_lesson(std::ostream& out, const LessonResult& l) {
     line(out, l.lesson, l.earned(), l.points());
     if (l.verdict != Verdict::ok && !l.words.empty()) {
@@ -108,6 +130,9 @@ void print_lesson(std::ostream& out, const LessonResult& l) {
     }
     for (const TaskResult& t : l.tasks) {
         print_task(out, t);
+    }
+    if (std::none_of(l.tasks.begin(), l.tasks.end(), has_hidden_cases)) {
+        out << "  visible cases only: hidden ones bring the lesson's other points\n";
     }
     if (l.earned() < l.points()) {
         out << "  to read: lessons/" << l.lesson << "/README.md\n";
@@ -151,15 +176,16 @@ std::string explain(const CaseResult& c) {
         return "hidden cases ask for other values, the ends of the ranges too";
     }
     if (!c.failure) {
-        return c.name + ": " + std::string(name_of(c.verdict)) +
-               (c.words.empty() ? "" : ", " + c.words);
+        const std::string verdict(c.verdict == Verdict::wrong ? "" : name_of(c.verdict));
+        const bool both = !verdict.empty() && !c.words.empty();
+        return c.name + ": " + verdict + (both ? ", " : "") + c.words;
     }
     const Failure& f = *c.failure;
     if (c.kind == "albedo") {
         return c.name + ": the integral is " + number(f.got) + ", it is to be " + wanted(f);
     }
     const std::string place = f.place.empty() ? "" : f.place + ", ";
-    return c.name + ": " + place + "of (" + joined(f.question) + ") as " + f.number + " you make " +
+    return c.name + ": " + place + "for " + named(f) + ", as " + f.number + ", you make " +
            (c.kind == "reciprocity" ? "a difference of " : "") + number(f.got) + ", it is to be " +
            wanted(f);
 }

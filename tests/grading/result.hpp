@@ -39,6 +39,7 @@ constexpr std::string_view name_of(Verdict v) {
 // The first check that failed: of a value, or of a sum for a property.
 struct Failure {
     std::string number;
+    std::string of;                // what the question's numbers are: see Task
     std::vector<double> question;  // the row of the check's first answer
     std::size_t component;         // which of the row's answers
     double low, high, got;

@@ -52,17 +52,31 @@ const Mistake* own_mistake(const TriedTask& task) {
     return most;
 }
 
-// Is all that is wrong here what another task's mistake makes of right answers?
-bool follows_from(const TriedTask& task, const Mistake& other) {
+// Does any question have another answer than the first?
+bool differ(const Batch& batch, const std::vector<double>& answers) {
+    const std::size_t width = batch.answers_a_row;
+    return !std::equal(answers.begin() + static_cast<std::ptrdiff_t>(width), answers.end(),
+                       answers.begin());
+}
+
+enum class Follows { no, untold, yes };
+
+// Is all that is wrong here what another task's mistake makes of right answers? Untold where that
+// gives every question the same answer: then others than the right ones would look like this, too.
+Follows follows_from(const TriedTask& task, const Mistake& other) {
     bool all = true;
+    bool any = false;
+    bool told = false;
     for_each_wrong(task, [&](const Batch& batch, const std::vector<double>& answers) {
         const bool begun = diagnose_skeleton(batch, answers, task.task->id) == nullptr;
         all = all && begun && looks_like(batch, answers, other);
+        any = true;
+        told = told || differ(batch, answers);
     });
-    return all;
+    return !any || !all ? Follows::no : told ? Follows::yes : Follows::untold;
 }
 
-Failure describe(const Batch& batch, const Answered& a, std::size_t check) {
+Failure describe(const std::string& of, const Batch& batch, const Answered& a, std::size_t check) {
     const Check& c = batch.checks[check];
     const std::size_t first = c.terms.front().answer;
     const auto row = static_cast<std::ptrdiff_t>(first / batch.answers_a_row * batch.columns);
@@ -72,6 +86,7 @@ Failure describe(const Batch& batch, const Answered& a, std::size_t check) {
         got += t.weight * a.answers[t.answer];
     }
     return {batch.number,
+            of,
             {begin, begin + static_cast<std::ptrdiff_t>(batch.columns)},
             first % batch.answers_a_row,
             c.low,
@@ -80,7 +95,7 @@ Failure describe(const Batch& batch, const Answered& a, std::size_t check) {
             batch.frame.width > 0 ? place_of(batch, check) : ""};
 }
 
-CaseResult result_of(const Tried& t, const std::string& follows) {
+CaseResult result_of(const std::string& of, const Tried& t, const std::string& follows) {
     CaseResult r{t.asked->name,
                  t.asked->kind,
                  t.asked->hidden,
@@ -109,9 +124,9 @@ CaseResult result_of(const Tried& t, const std::string& follows) {
         if (wrong && follows.empty()) {
             share = std::min(share, share_of(*t.asked, batch, a));
             r.verdict = Verdict::wrong;
-            r.failure = r.failure
-                            ? r.failure
-                            : describe(batch, a, seen ? worst_failure(batch, a.answers) : *wrong);
+            r.failure =
+                r.failure ? r.failure
+                          : describe(of, batch, a, seen ? worst_failure(batch, a.answers) : *wrong);
         }
     }
     r.earned = share * r.points;
@@ -127,8 +142,10 @@ void limit_properties(TaskResult& task) {
             }
         }
         for (CaseResult& c : task.cases) {
-            if (c.hidden == hidden) {
-                c.earned = std::min(c.earned, best * c.points);
+            if (c.hidden == hidden && c.earned > best * c.points + 1e-9) {
+                c.earned = best * c.points;
+                c.verdict = c.verdict == Verdict::ok ? Verdict::wrong : c.verdict;
+                c.words = "counts no more than the values of its task do";
             }
         }
     }
@@ -136,17 +153,26 @@ void limit_properties(TaskResult& task) {
 
 TaskResult result_of(const TriedTask& tried, const std::vector<TriedTask>& all) {
     std::string follows;
+    TaskResult r{tried.task->id, tried.task->title, "", {}};
     for (const TriedTask& other : all) {
-        if (&other != &tried && other.mistake != nullptr && follows_from(tried, *other.mistake)) {
+        if (&other == &tried || other.mistake == nullptr) {
+            continue;
+        }
+        const Follows f = follows_from(tried, *other.mistake);
+        if (f == Follows::yes) {
             follows = "follows from " + other.task->id;
+        } else if (f == Follows::untold) {
+            r.diagnosis = "any answer, right or wrong, until " + other.task->id + " is right";
         }
     }
-    TaskResult r{tried.task->id, tried.task->title, "", {}};
-    if (tried.mistake != nullptr && follows.empty()) {
+    if (tried.mistake != nullptr) {
         r.diagnosis = tried.mistake->words;
     }
+    if (!follows.empty()) {
+        r.diagnosis.clear();
+    }
     for (const Tried& t : tried.cases) {
-        r.cases.push_back(result_of(t, follows));
+        r.cases.push_back(result_of(tried.task->of, t, follows));
     }
     limit_properties(r);
     return r;

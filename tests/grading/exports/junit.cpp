@@ -10,8 +10,14 @@ struct Counts {
     int tests = 0, failures = 0, errors = 0, skipped = 0;
 };
 
+bool is_skipped(const CaseResult& c) {
+    return c.verdict == Verdict::skipped;
+}
+
+// How an answer to a hidden case fails would tell what it asks for.
 bool is_error(const CaseResult& c) {
-    return c.verdict != Verdict::ok && c.verdict != Verdict::wrong && c.verdict != Verdict::skipped;
+    const bool answered = c.verdict == Verdict::ok || c.verdict == Verdict::wrong;
+    return c.verdict == Verdict::internal_error || (!c.hidden && !answered && !is_skipped(c));
 }
 
 std::string counts_of(const LessonResult& lesson) {
@@ -19,9 +25,10 @@ std::string counts_of(const LessonResult& lesson) {
     for (const TaskResult& task : lesson.tasks) {
         for (const CaseResult& c : task.cases) {
             ++n.tests;
-            n.failures += c.verdict == Verdict::wrong ? 1 : 0;
-            n.skipped += c.verdict == Verdict::skipped ? 1 : 0;
+            const bool failed = c.verdict != Verdict::ok;
+            n.skipped += is_skipped(c) ? 1 : 0;
             n.errors += is_error(c) ? 1 : 0;
+            n.failures += failed && !is_skipped(c) && !is_error(c) ? 1 : 0;
         }
     }
     std::ostringstream text;
@@ -39,10 +46,9 @@ void write_case(std::ostream& out, const LessonResult& lesson, const TaskResult&
         << R"("/><property name="max_points" value=")" << points_text(c.points)
         << "\"/></properties>\n";
     if (c.verdict != Verdict::ok) {
-        const std::string tag = c.verdict == Verdict::skipped ? "skipped"
-                                : is_error(c)                 ? "error"
-                                                              : "failure";
-        out << "      <" << tag << " message=\"" << name_of(c.verdict) << "\">"
+        const std::string tag = is_skipped(c) ? "skipped" : is_error(c) ? "error" : "failure";
+        out << "      <" << tag << " message=\""
+            << (tag == "failure" ? "wrong" : name_of(c.verdict)) << "\">"
             << escaped(words_for(lesson, task, c)) << "</" << tag << ">\n";
     }
     out << "    </testcase>\n";

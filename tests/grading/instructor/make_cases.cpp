@@ -1,9 +1,12 @@
 #include "framework/image/file.hpp"
+#include "framework/math/error.hpp"
 #include "tests/grading/cases.hpp"
 #include "tests/grading/digest.hpp"
 #include "tests/grading/instructor/make_batch.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <sstream>
 
 namespace glint::grading {
 namespace {
@@ -12,6 +15,17 @@ using nlohmann::json;
 
 // Visible cases follow from a secret that is none.
 const Identity everyone{"visible", "", ""};
+
+// How many numbers names like "N[3] n" stand for.
+std::size_t columns_of(const std::string& names) {
+    std::istringstream words(names);
+    std::size_t columns = 0;
+    for (std::string name; words >> name;) {
+        const std::size_t bracket = name.find('[');
+        columns += bracket == std::string::npos ? 1 : std::stoul(name.substr(bracket + 1));
+    }
+    return columns;
+}
 
 Case make_case(const json& task, const json& asked, std::span<const Variant> variants,
                const Identity& who, bool lanes) {
@@ -26,6 +40,9 @@ Case make_case(const json& task, const json& asked, std::span<const Variant> var
                                                      : json{"float", "double"};
     for (const std::string number : task.value("numbers", usual)) {
         c.batches.push_back(make_batch(wanted, number));
+        if (c.batches.back().columns != columns_of(task.at("of"))) {
+            throw Error(id + ": \"of\" does not name the numbers of " + name);
+        }
     }
     return c;
 }
@@ -36,7 +53,7 @@ Lesson cases_of(const std::string& name, const std::optional<Identity>& identity
     const json manifest = json::parse(read_text(lesson_file(name)));
     Lesson lesson{manifest.at("lesson"), manifest.at("header"), {}};
     for (const json& task : manifest.at("tasks")) {
-        lesson.tasks.push_back({task.at("id"), task.at("title"), {}});
+        lesson.tasks.push_back({task.at("id"), task.at("title"), task.at("of"), {}});
         for (const json& asked : task.at("cases")) {
             const bool hidden = asked.value("hidden", false);
             if (!hidden || identity) {

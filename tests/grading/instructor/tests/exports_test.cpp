@@ -21,7 +21,7 @@ CaseResult result(const std::string& name, bool hidden, double points, double ea
     CaseResult c{name,    "values", hidden,       points, earned,
                  verdict, "",       std::nullopt, 0.25,   std::nullopt};
     if (verdict == Verdict::wrong) {
-        c.failure = Failure{"float", {0.5, 32}, 0, 1.25, 1.25, 7.75, ""};
+        c.failure = Failure{"float", "ior n", {0.5, 32}, 0, 1.25, 1.25, 7.75, ""};
     }
     return c;
 }
@@ -153,7 +153,21 @@ TEST_CASE("hidden cases tell nothing but points, in any form students see") {
         r.lessons.resize(1);
         r.lessons[0].tasks[0].cases[0] = result("some", false, 2, 2);
         CHECK(form(r).find("7.75") == std::string::npos);
+        const std::string wrong = form(r);
+        CaseResult& hidden = r.lessons[0].tasks[0].cases[1];
+        hidden.verdict = Verdict::crash;
+        hidden.failure.reset();
+        hidden.words = "a signal";
+        CHECK(form(r) == wrong);  // nor how the answer failed
     }
+}
+
+TEST_CASE("a failure names the numbers that were asked") {
+    CaseResult c = result("some", false, 2, 0);
+    c.failure->of = "N[3] n";
+    c.failure->question = {0, 0.5, 1, 32};
+    CHECK(explain(c) ==
+          "some: for N = (0, 0.5, 1), n = 32, as float, you make 7.75, it is to be 1.25");
 }
 
 }  // namespace

@@ -3,11 +3,16 @@
 #include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
 #include "tests/grading/cases.hpp"
+#include "tests/grading/instructor/links.hpp"
 #include "tests/grading/instructor/marks.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -27,10 +32,36 @@ std::set<std::string> kept_paths(const fs::path& from) {
     return paths;
 }
 
-// Build folders are nobody's source.
-bool is_built(const std::string& path) {
-    return path.starts_with("build") || path == ".cache" || path == "CMakeUserPresets.json" ||
-           path == "compile_commands.json";
+// The files that git knows of. A tree in use also holds backups of answers, secrets and grades.
+std::vector<fs::path> tracked_files(const fs::path& from) {
+    const std::string command =
+        "git -c safe.directory='*' -C \"$GLINT_SOURCE\" ls-files -z 2>/dev/null";
+    ::setenv("GLINT_SOURCE", from.c_str(), 1);
+    std::string names;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    for (int c = 0; pipe != nullptr && (c = std::fgetc(pipe)) != EOF;) {
+        names += static_cast<char>(c);
+    }
+    if (pipe == nullptr || ::pclose(pipe) != 0 || names.empty()) {
+        throw Error(from.string() +
+                    ": git does not say what belongs to it; hand out from a clone, with git there");
+    }
+    std::vector<fs::path> files;
+    std::istringstream all(names);
+    for (std::string name; std::getline(all, name, '\0');) {
+        files.emplace_back(name);
+    }
+    return files;
+}
+
+// The path, or a folder that it lies in.
+bool is_within(const std::set<std::string>& all, fs::path path) {
+    for (; !path.empty(); path = path.parent_path()) {
+        if (all.contains(path.generic_string())) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool has_marks(const fs::path& file) {
@@ -39,30 +70,53 @@ bool has_marks(const fs::path& file) {
            name == "CMakeLists.txt";
 }
 
-// Calls f(path from the root) for each file that students get something of.
-template <class F>
-void for_each_file(const fs::path& from, F f) {
+// What students get something of: paths from the root.
+std::vector<fs::path> files_for_students(const fs::path& from) {
     const auto kept = kept_paths(from);
-    for (auto entry = fs::recursive_directory_iterator(from); entry != fs::end(entry); ++entry) {
-        const fs::path path = fs::relative(entry->path(), from);
-        if (kept.contains(path.generic_string()) || is_built(path.generic_string())) {
-            entry.disable_recursion_pending();
-        } else if (entry->is_regular_file()) {
-            f(path);
-        }
+    std::vector<fs::path> files = tracked_files(from);
+    std::erase_if(files, [&](const fs::path& path) {
+        return is_within(kept, path) || !fs::is_regular_file(from / path);
+    });
+    return files;
+}
+
+void write_file(const fs::path& from, const fs::path& path, const Paths& there,
+                const fs::path& to) {
+    fs::create_directories((to / path).parent_path());
+    if (has_marks(path)) {
+        const auto regions = read_marks((from / path).string(), read_text(from / path));
+        write_text(to / path, handed_out(regions));
+        fs::permissions(to / path, fs::status(from / path).permissions());
+    } else if (path.extension() == ".md") {
+        write_text(to / path, without_dead_links(read_text(from / path), path, there));
+    } else {
+        fs::copy_file(from / path, to / path);
     }
 }
 
-void write_file(const fs::path& from, const fs::path& to) {
-    fs::create_directories(to.parent_path());
-    if (has_marks(from)) {
-        const auto regions = read_marks(from.string(), read_text(from));
-        write_text(to, handed_out(regions));
-        fs::permissions(to, fs::status(from).permissions());
-    } else {
-        fs::copy_file(from, to);
+// A folder of its own beside `to`, which goes with this.
+class Beside {
+  public:
+    explicit Beside(const fs::path& to) {
+        const fs::path parent = fs::absolute(to).lexically_normal().parent_path();
+        fs::create_directories(parent);
+        std::string name = (parent / ".handout_XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) {
+            throw Error(parent.string() + ": " + std::strerror(errno));
+        }
+        path_ = name;
     }
-}
+    ~Beside() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Beside(const Beside&) = delete;
+    Beside& operator=(const Beside&) = delete;
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
 
 void write_cases(const fs::path& to) {
     fs::create_directories(to);
@@ -90,34 +144,33 @@ void hand_out(const fs::path& from, const fs::path& to) {
     if (fs::exists(to) && !(fs::is_directory(to) && fs::is_empty(to))) {
         throw Error(to.string() + ": is there already; name a folder that is not, or empty");
     }
-    fs::path beside = fs::absolute(to).lexically_normal();
-    beside = beside.parent_path() / (beside.filename().string() + ".new");
-    fs::remove_all(beside);
-    try {
-        for_each_file(from, [&](const fs::path& path) { write_file(from / path, beside / path); });
-        write_cases(beside / "tests/grading/cases");
-        fs::remove(to);
-        fs::rename(beside, to);
-    } catch (...) {
-        fs::remove_all(beside);
-        throw;
+    const std::vector<fs::path> files = files_for_students(from);
+    const Paths there = with_folders(files);
+    const Beside beside(to);
+    const fs::path tree = beside.path() / "tree";
+    for (const fs::path& path : files) {
+        write_file(from, path, there, tree);
     }
+    write_cases(tree / "tests/grading/cases");
+    fs::remove(to);
+    fs::rename(tree, fs::absolute(to).lexically_normal());
 }
 
 std::vector<std::string> telling_lines(const fs::path& from) {
     std::set<std::string> lines;
-    for_each_file(from / "", [&](const fs::path& path) {
-        if (has_marks(path)) {
-            for (const Region& r : read_marks(path.string(), read_text(from / path))) {
-                for (const std::string& line : r.task.empty() ? Lines{} : r.solution) {
-                    const std::string text = trimmed(line);
-                    if (says_enough(text)) {
-                        lines.insert(text);
-                    }
+    for (const fs::path& path : files_for_students(from)) {
+        if (!has_marks(path)) {
+            continue;
+        }
+        for (const Region& r : read_marks(path.string(), read_text(from / path))) {
+            for (const std::string& line : r.task.empty() ? Lines{} : r.solution) {
+                const std::string text = trimmed(line);
+                if (says_enough(text)) {
+                    lines.insert(text);
                 }
             }
         }
-    });
+    }
     return {lines.begin(), lines.end()};
 }
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <regex>
 #include <unistd.h>
 
@@ -25,6 +26,25 @@ struct Scratch {
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
 };
+
+// Links in Markdown to what is not there, as FILE: LINK.
+std::vector<std::string> dead_links(const fs::path& tree) {
+    static const std::regex link(R"(\]\(([\w./-]+)(#[\w-]*)?\))");
+    std::vector<std::string> dead;
+    for (const auto& entry : fs::recursive_directory_iterator(tree)) {
+        if (entry.path().extension() != ".md") {
+            continue;
+        }
+        const std::string text = read_text(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end;
+             ++match) {
+            if (!fs::exists(entry.path().parent_path() / match->str(1))) {
+                dead.push_back(entry.path().string() + ": " + match->str(1));
+            }
+        }
+    }
+    return dead;
+}
 
 TEST_CASE("the handout holds no line of an answer, no hidden case, nothing of the instructor's") {
     const Scratch scratch;
@@ -51,6 +71,7 @@ TEST_CASE("the handout holds no line of an answer, no hidden case, nothing of th
         CHECK(text.find("// SOLUTION ") == std::string::npos);
     }
     CHECK(files > 200);
+    CHECK(dead_links(tree) == std::vector<std::string>{});
     CHECK(!fs::exists(tree / "tests/grading/instructor"));
     CHECK(!fs::exists(tree / "tests/unit/lessons"));
     CHECK(!fs::exists(tree / ".git"));
@@ -74,7 +95,36 @@ TEST_CASE("a folder that is not empty is left alone") {
     write_text(scratch.path / "mine", "x");
     CHECK_THROWS_AS(hand_out(SOURCE_FOLDER, scratch.path), Error);
     CHECK(read_text(scratch.path / "mine") == "x");
-    CHECK(!fs::exists(scratch.path.string() + ".new"));
+}
+
+void shell(const std::string& command) {
+    REQUIRE(std::system(command.c_str()) == 0);
+}
+
+TEST_CASE("only what git knows is handed out, and neighbours are left alone") {
+    const Scratch scratch;
+    const fs::path tree = scratch.path / "tree";
+    fs::create_directories(tree / "tests/grading/instructor");
+    write_text(tree / "tests/grading/instructor/paths.txt", "# not these\ntests\n");
+    write_text(tree / "README.md", "[a](tests/x) [b](kept.txt)\n```\n[a](tests/x)\n```\n");
+    write_text(tree / "kept.txt", "x");
+    CHECK_THROWS_WITH_AS(hand_out(tree, scratch.path / "none"), doctest::Contains("git"), Error);
+    CHECK(!fs::exists(scratch.path / "none"));
+    shell("cd '" + tree.string() + "' && git init -q . && git add .");
+    write_text(tree / "secret", "x");
+    write_text(tree / "answer.hpp~", "x");
+    write_text(scratch.path / "course.new", "x");
+
+    hand_out(tree, scratch.path / "course");
+    const fs::path course = scratch.path / "course";
+    CHECK(read_text(course / "README.md") == "a [b](kept.txt)\n```\n[a](tests/x)\n```\n");
+    CHECK(fs::exists(course / "kept.txt"));
+    CHECK(!fs::exists(course / "secret"));
+    CHECK(!fs::exists(course / "answer.hpp~"));
+    CHECK(!fs::exists(course / "tests/grading/instructor"));
+    CHECK(read_text(scratch.path / "course.new") == "x");
+    const fs::directory_iterator all(scratch.path);
+    CHECK(std::distance(begin(all), end(all)) == 3);
 }
 
 TEST_CASE("a task's points are its lesson's table's, and properties stand beside values") {

@@ -20,12 +20,12 @@ inline CornerVaryings corner_varyings(const Shader& shader, const Mesh& mesh,
     CornerVaryings corners{};
     const auto count = static_cast<std::size_t>(shader.varyings);
     for (std::size_t i = 0; i < 3; ++i) {
-        const glm::vec3 b = triangle.barycentric[i];
+        const glm::dvec3 b = triangle.barycentric[i];
         for (std::size_t k = 0; k < count; ++k) {
             const float* of_corner = &of_mesh[3 * k];
-            corners[i][k] = triangle.clipped
-                                ? b.x * of_corner[0] + b.y * of_corner[1] + b.z * of_corner[2]
-                                : of_corner[i];
+            const double mixed = b.x * double{of_corner[0]} + b.y * double{of_corner[1]} +
+                                 b.z * double{of_corner[2]};
+            corners[i][k] = triangle.clipped ? static_cast<float>(mixed) : of_corner[i];
         }
     }
     return corners;

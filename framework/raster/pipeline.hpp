@@ -83,7 +83,7 @@ struct ScreenTriangle {
     ScreenVertex v[3];
     std::uint32_t source;  // index in the mesh
     bool clipped = false;
-    glm::vec3 barycentric[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    glm::dvec3 barycentric[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 };
 
 }  // namespace glint

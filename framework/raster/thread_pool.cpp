@@ -1,5 +1,9 @@
 #include "framework/raster/thread_pool.hpp"
 
+#include "framework/math/error.hpp"
+
+#include <string>
+
 namespace glint {
 namespace {
 
@@ -18,12 +22,22 @@ void pause_briefly() {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) {
-    for (int i = 1; i < threads; ++i) {
-        workers_.emplace_back([this, i] { work(i); });
+    try {
+        for (int i = 1; i < threads; ++i) {
+            workers_.emplace_back([this, i] { work(i); });
+        }
+    } catch (...) {
+        stop();
+        throw Error("threads: the system starts no more than " + std::to_string(this->threads()) +
+                    " of " + std::to_string(threads) + "; ask for fewer");
     }
 }
 
 ThreadPool::~ThreadPool() {
+    stop();
+}
+
+void ThreadPool::stop() {
     {
         const std::lock_guard lock(mutex_);
         stop_ = true;

@@ -14,7 +14,8 @@ namespace glint {
 
 class ThreadPool {
   public:
-    explicit ThreadPool(int threads);  // the caller is one of them; >= 1
+    // The caller is one of them; >= 1. Error where the system has no more.
+    explicit ThreadPool(int threads);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
@@ -32,6 +33,7 @@ class ThreadPool {
     using Call = std::function<void(std::size_t, int)>;
     void start(std::size_t items, const Call& call);
     void work(int thread);
+    void stop();
     void take_items(int thread);
 
     std::vector<std::thread> workers_;

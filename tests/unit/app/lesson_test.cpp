@@ -50,6 +50,7 @@ TEST_CASE("bad input: exit code 2, one line on standard error, no file") {
                                         "--set gain=1",
                                         "--out picture.jpg",
                                         "--out no/such/folder.png",
+                                        "--out a.png --stats .",
                                         "--probe 960,0",
                                         "--probe x",
                                         "--frames 0",
@@ -247,6 +248,23 @@ TEST_CASE("a mesh of any size is framed, or refused by its name") {
         const bool drawn = size == "1e-17" || size == "1" || size == "1e17";
         CHECK(r.status == (drawn ? 0 : 2));
         CHECK((r.err.find("error: a.obj: ") == std::string::npos) == drawn);
+    }
+}
+
+TEST_CASE("a system that starts no more threads is an error, not an end without one") {
+    const TemporaryFolder folder;
+    const auto limited = [&](const std::string& arguments) {
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && ulimit -v 700000 && exec timeout 60 '" LESSON_PROGRAM
+                                    "' " +
+                                    arguments + " >/dev/null 2>err";
+        return WEXITSTATUS(std::system(command.c_str()));
+    };
+    if (std::string(EMULATOR).empty() && limited("--help") == 0) {  // sanitizers take more to begin
+        CHECK(limited("--size 40x30 --threads 256") == 2);
+        CHECK(
+            text_of(folder / "err").starts_with("error: threads: the system starts no more than"));
+        CHECK(folder.count() == 1);
     }
 }
 

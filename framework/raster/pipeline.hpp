@@ -24,7 +24,7 @@ namespace glint {
 enum class Rasterizer { tiles, scanline, reference };
 enum class Cull { none, back };
 
-// How to draw. None of these changes which triangle wins a sample, nor its depth.
+// How to draw. None but samples and cull changes which triangle wins a sample, nor its depth.
 struct Settings {
     Rasterizer rasterizer = Rasterizer::tiles;
     int lanes = max_lanes;        // 1, 4, 8 or 16, as far as the build has them; scanline has one

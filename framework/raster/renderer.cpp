@@ -32,6 +32,15 @@ void check(const Mesh& mesh, const View& view, std::span<const Shader> shaders) 
     if (mesh.triangles.size() >= piece_bit || mesh.positions.size() > piece_bit / 3) {
         throw Error("mesh: more triangles or vertices than 32 bits can number");
     }
+    const auto fits = [](std::size_t size, std::size_t whole) {
+        return size == 0 || size == whole;
+    };
+    if (!fits(mesh.normals.size(), mesh.positions.size()) ||
+        !fits(mesh.uvs.size(), mesh.positions.size()) ||
+        !fits(mesh.materials.size(), mesh.triangles.size())) {
+        throw Error(
+            "mesh: normals and uvs are as many as positions, materials as triangles, or none");
+    }
     const auto most = std::max_element(mesh.materials.begin(), mesh.materials.end());
     const std::size_t needed = most == mesh.materials.end() ? 1 : *most + std::size_t{1};
     if (shaders.size() < needed) {

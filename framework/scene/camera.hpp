@@ -9,7 +9,7 @@
 namespace glint {
 
 // As glm::lookAt and glm::perspective: right-handed, the eye looks along its -z, vertical field of
-// view. near and far are distances along the view direction; 0 lets frame() choose.
+// view. near and far are distances along the view direction.
 struct Camera {
     glm::vec3 eye{0, 0, 3};
     glm::vec3 target{0, 0, 0};

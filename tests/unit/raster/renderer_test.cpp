@@ -94,6 +94,33 @@ TEST_CASE("a view out of its range and missing shaders are refused, and nothing 
     }
 }
 
+TEST_CASE("a mesh whose arrays do not fit together is refused") {
+    const auto refused = [](auto change) {
+        Mesh mesh;
+        mesh.positions = {{-1, -1, 0.5F}, {1, -1, 0.5F}, {0, 1, 0.5F}};
+        mesh.normals.assign(3, {0, 0, 1});
+        mesh.uvs.assign(3, {0, 0});
+        mesh.triangles = {{0, 1, 2}};
+        mesh.materials = {0};
+        change(mesh);
+        const Shader shader = plug(show_position);
+        SrgbImage picture;
+        try {
+            Renderer(Settings{})
+                .render(mesh, {glm::mat4(1.0F), 4, 4}, {&shader, 1}, {.srgb = &picture});
+            return false;
+        } catch (const Error&) {
+            return picture.empty();
+        }
+    };
+    CHECK(!refused([](Mesh&) {}));
+    CHECK(!refused([](Mesh& m) { m.normals.clear(); }));
+    CHECK(refused([](Mesh& m) { m.normals.pop_back(); }));
+    CHECK(refused([](Mesh& m) { m.uvs.pop_back(); }));
+    CHECK(refused([](Mesh& m) { m.materials.push_back(0); }));
+    CHECK(refused([](Mesh& m) { m.triangles.push_back({0, 1, 2}); }));
+}
+
 TEST_CASE("nothing to draw leaves the background") {
     const OneColour shader;
     for (const int samples : {1, 4}) {

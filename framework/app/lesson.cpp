@@ -113,8 +113,11 @@ void probe(const Lesson& lesson, const Options& o) {
               << explain_pixel(lesson, at.options, make_scene(lesson, at.options));
 }
 
-void require_folder_of(const std::string& file) {
+void require_place_for(const std::string& file) {
     const auto folder = std::filesystem::path(file).parent_path();
+    if (std::filesystem::is_directory(file)) {
+        throw Error(file + ": is a folder; name a file");
+    }
     if (!folder.empty() && !std::filesystem::is_directory(folder)) {
         throw Error(file + ": there is no folder " + folder.string());
     }
@@ -125,9 +128,12 @@ void prepare_folders(const Options& o) {
         std::filesystem::create_directories("out");
     }
     for (const std::string& out : o.outs) {
-        require_folder_of(out);
+        require_place_for(out);
     }
-    require_folder_of(o.stats);
+    require_place_for(o.stats);
+    if (!o.compare.empty()) {
+        require_place_for(heat_map_name(o));
+    }
 }
 
 // Everything that can fail for bad input comes before the first file is written.
@@ -162,7 +168,7 @@ void use_files(const Lesson& lesson, const Options& o, bool writing) {
         if (given != o.files.end() && f.writes == writing) {
             f.use(given->second, o.parameters);
         } else if (given != o.files.end() && f.writes) {
-            require_folder_of(given->second);
+            require_place_for(given->second);
         }
     }
 }

@@ -14,6 +14,13 @@ bool shows_surfaces(ViewMode mode) {
     return mode == ViewMode::shaded || mode == ViewMode::normal;
 }
 
+const NormalView normal_view;
+
+std::vector<Shader> shaders_of(ViewMode mode, std::span<const Shader> shaders) {
+    return mode == ViewMode::normal ? std::vector<Shader>(shaders.size(), plug(normal_view))
+                                    : std::vector<Shader>(shaders.begin(), shaders.end());
+}
+
 }  // namespace
 
 Settings settings_for(const Options& o) {
@@ -32,8 +39,6 @@ View view_of(const Scene& scene, int width, int height) {
 Drawing draw_view(ViewMode mode, Renderer& renderer, const Scene& scene, const View& view,
                   std::span<const Shader> shaders, bool linear) {
     Drawing d;
-    const NormalView normal_view;
-    const std::vector<Shader> normals(shaders.size(), plug(normal_view));
     Image<float> depth;
     Image<std::int32_t> triangle;
     Target target{.srgb = &d.srgb, .background = scene.background};
@@ -43,8 +48,7 @@ Drawing draw_view(ViewMode mode, Renderer& renderer, const Scene& scene, const V
         target.depth = &depth;
         target.triangle = &triangle;
     }
-    d.frames.push_back(
-        renderer.render(scene.mesh, view, mode == ViewMode::normal ? normals : shaders, target));
+    d.frames.push_back(renderer.render(scene.mesh, view, shaders_of(mode, shaders), target));
     switch (mode) {
         case ViewMode::shaded:
         case ViewMode::normal:
@@ -85,9 +89,10 @@ Drawing draw(const Lesson& lesson, const Options& o, const Scene& scene) {
     if (o.frames > 1) {
         drawing.frames.clear();
         SrgbImage again;
+        const std::vector<Shader> shaders = shaders_of(o.view, shading.shaders);
         const Target target{.srgb = &again, .background = scene.background};
         for (int i = 0; i < o.frames; ++i) {
-            drawing.frames.push_back(renderer.render(scene.mesh, view, shading.shaders, target));
+            drawing.frames.push_back(renderer.render(scene.mesh, view, shaders, target));
         }
     }
     return drawing;

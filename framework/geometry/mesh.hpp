@@ -20,7 +20,7 @@ struct Material {
     Rgb<float> specular{0.04F};  // MTL Ks: reflectance at normal incidence F0, 0..1
     float exponent = 50.0F;      // MTL Ns: Phong exponent n, >= 0
     float ior = 1.5F;            // MTL Ni: refractive index relative to air, > 0
-    std::string diffuse_map{};   // MTL map_Kd: path of a picture, empty for none
+    std::string diffuse_map{};   // MTL map_Kd: path of a picture; no lesson draws it
 };
 
 // Counter-clockwise triangles face the viewer. normals and uvs are as long as positions, or empty;

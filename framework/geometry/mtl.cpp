@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 
 namespace glint {
@@ -122,7 +121,7 @@ class MtlReader {
         std::replace(name.begin(), name.end(), '\\', '/');
         const std::filesystem::path file = path_.parent_path() / name;
         if (name.empty() || !is_file(file) || !std::ifstream(file)) {
-            warn("picture " + shown(name) + " cannot be read: drawn without it");
+            warn("picture " + shown(name) + " cannot be read: left out");
             return;
         }
         current().diffuse_map = file.string();

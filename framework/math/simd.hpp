@@ -1,6 +1,6 @@
 // The instruction set: which registers there are, and what one instruction does that xsimd 8 does
-// with several or rounds otherwise. Nothing else in Glint but simd_precision.hpp knows more of it
-// than max_lanes.
+// with several or rounds otherwise. Nothing else that computes but simd_precision.hpp knows more of
+// it than max_lanes.
 #pragma once
 
 #include "framework/math/registers.hpp"

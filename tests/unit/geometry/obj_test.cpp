@@ -247,7 +247,7 @@ TEST_CASE("a bad MTL spoils nothing and says so") {
                   mtl + "3: Kd needs three numbers: ignored", mtl + "4: Ks is limited to 0..1",
                   mtl + "5: Ns needs a number >= 0: ignored",
                   mtl + "6: Ni needs a number > 0: ignored",
-                  mtl + "7: picture `nowhere.png` cannot be read: drawn without it",
+                  mtl + "7: picture `nowhere.png` cannot be read: left out",
                   mtl + "11: Kd needs three numbers: ignored",
                   mtl + "12: Ns needs a number >= 0: ignored",
                   data + "relative.obj:1: " + data + "nowhere.mtl: no such file",

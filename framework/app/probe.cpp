@@ -5,7 +5,6 @@
 #include "framework/raster/interpolate.hpp"
 #include "framework/raster/setup.hpp"
 
-#include <array>
 #include <iomanip>
 #include <optional>
 #include <sstream>

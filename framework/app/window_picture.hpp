@@ -11,7 +11,6 @@
 #include "framework/raster/renderer.hpp"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace glint {

@@ -4,7 +4,6 @@
 
 #include "framework/app/window_parcel.hpp"
 
-#include <chrono>
 #include <sys/types.h>
 
 namespace glint {

@@ -5,7 +5,6 @@
 #include "framework/math/dispatch.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace glint {
 namespace {

@@ -5,7 +5,6 @@
 #include "framework/math/polynomial.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace glint {
 

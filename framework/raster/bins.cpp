@@ -78,14 +78,9 @@ void TileBins::fill(const Mesh& mesh, const View& view, const Settings& settings
     window_ = {view.width,
                view.height,
                grid.columns,
-               {0, 0},
-               {0, 0},
+               offset_range(settings.samples),
                settings.samples == 1,
                settings.cull == Cull::back};
-    for (const SampleOffset o : sample_offsets(settings.samples)) {
-        window_.low = {std::min(window_.low.x, o.x), std::min(window_.low.y, o.y)};
-        window_.high = {std::max(window_.high.x, o.x), std::max(window_.high.y, o.y)};
-    }
     tiles_ = grid.tiles();
     staged_ = 0;
     pieces_.clear();
@@ -160,14 +155,10 @@ void TileBins::stage(const typename Lanes<N>::Int (&x)[3], const typename Lanes<
     const I right = largest(x);
     const I top = smallest(y);
     const I bottom = largest(y);
-    // The first and last pixel that have a sample between the extremes.
-    const int up = subpixel_one - 1 - half_pixel;
-    const I x0 = max((left + I(up - window_.high.x)) >> subpixel_bits, I(0));
-    const I y0 = max((top + I(up - window_.high.y)) >> subpixel_bits, I(0));
-    const I x1 =
-        min((right - I(half_pixel + window_.low.x)) >> subpixel_bits, I(window_.width - 1));
-    const I y1 =
-        min((bottom - I(half_pixel + window_.low.y)) >> subpixel_bits, I(window_.height - 1));
+    const I x0 = first_pixel(left, window_.offsets.high.x);
+    const I y0 = first_pixel(top, window_.offsets.high.y);
+    const I x1 = last_pixel(right, window_.offsets.low.x, window_.width - 1);
+    const I y1 = last_pixel(bottom, window_.offsets.low.y, window_.height - 1);
     alive = alive & (x0 <= x1) & (y0 <= y1);
     if (!any(alive)) {
         return;

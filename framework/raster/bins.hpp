@@ -57,8 +57,8 @@ class TileBins {
 
     struct Window {  // what stage() needs to know of the view
         std::int32_t width, height, columns;
-        SampleOffset low, high;  // the sample offsets lie between these
-        bool at_centres;         // one sample a pixel, there
+        OffsetRange offsets;
+        bool at_centres;  // one sample a pixel, there
         bool cull_back;
     };
     Window window_{};

@@ -4,7 +4,6 @@
 
 #include "framework/math/lane_math.hpp"
 
-#include <cstdint>
 #include <span>
 
 namespace glint {

@@ -4,7 +4,10 @@
 #pragma once
 
 #include "framework/math/error.hpp"
+#include "framework/math/fixed.hpp"
+#include "framework/math/lane_math.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -52,6 +55,32 @@ inline std::span<const SampleOffset> sample_offsets(int samples) {
             throw Error("samples a pixel: " + std::to_string(samples) +
                         " is not one of 1, 2, 4, 8, 16");
     }
+}
+
+struct OffsetRange {
+    SampleOffset low{0, 0}, high{0, 0};
+};
+
+// What the offsets lie between, in x and in y.
+inline OffsetRange offset_range(int samples) {
+    OffsetRange r;
+    for (const SampleOffset o : sample_offsets(samples)) {
+        r.low = {std::min(r.low.x, o.x), std::min(r.low.y, o.y)};
+        r.high = {std::max(r.high.x, o.x), std::max(r.high.y, o.y)};
+    }
+    return r;
+}
+
+// The first and the last pixel, from 0 to `last`, that have a sample between two window positions
+// of 1/256 pixel. I is int or lanes of it.
+template <class I>
+I first_pixel(I position, int highest_offset) {
+    const int up = subpixel_one - 1 - subpixel_one / 2 - highest_offset;
+    return max((position + I(up)) >> subpixel_bits, I(0));
+}
+template <class I>
+I last_pixel(I position, int lowest_offset, int last) {
+    return min((position - I(subpixel_one / 2 + lowest_offset)) >> subpixel_bits, I(last));
 }
 
 }  // namespace glint

@@ -57,21 +57,6 @@ void place_sample(const TileSetup<N>& t, const TileBuffer& tile, SampleOffset of
     store(out.y.data(), y - load<T>(t.depth.y.data()) + to_float(row));
 }
 
-// Pixels between two window positions relative to the tile's origin, limited to the tile.
-template <class I>
-I first_pixel(I position, int highest_offset) {
-    const int up = subpixel_one - 1 - subpixel_one / 2 - highest_offset;
-    return max((position + I(up)) >> subpixel_bits, I(0));
-}
-template <class I>
-I last_pixel(I position, int lowest_offset) {
-    return min((position - I(subpixel_one / 2 + lowest_offset)) >> subpixel_bits, I(tile_size - 1));
-}
-
-struct OffsetRange {
-    SampleOffset low{0, 0}, high{0, 0};
-};
-
 // For triangles of less than 64 pixels in width and height: then 32 bits hold E itself.
 template <int N>
 void set_up_small(const typename Lanes<N>::Int (&x)[3], const typename Lanes<N>::Int (&y)[3],
@@ -102,8 +87,8 @@ void set_up_small(const typename Lanes<N>::Int (&x)[3], const typename Lanes<N>:
     const auto largest = [](const I(&v)[3]) { return max(max(v[0], v[1]), v[2]); };
     store(out.x0.data(), select(drawn, first_pixel(smallest(left), range.high.x), I(tile_size)));
     store(out.y0.data(), first_pixel(smallest(top), range.high.y));
-    store(out.x1.data(), last_pixel(largest(left), range.low.x));
-    store(out.y1.data(), last_pixel(largest(top), range.low.y));
+    store(out.x1.data(), last_pixel(largest(left), range.low.x, tile_size - 1));
+    store(out.y1.data(), last_pixel(largest(top), range.low.y, tile_size - 1));
     const DepthPlane<T> p = depth_plane(x, y, z, to_float(area));
     store(out.depth.x.data(), p.x);
     store(out.depth.y.data(), p.y);
@@ -149,8 +134,8 @@ void set_up_any(const ScreenTriangle& t, const TileBuffer& tile, Cull cull,
     const auto [top, bottom] = std::minmax({t.v[0].y, t.v[1].y, t.v[2].y});
     out.x0[lane] = first_pixel(left - origin_x, range.high.x);
     out.y0[lane] = first_pixel(top - origin_y, range.high.y);
-    out.x1[lane] = last_pixel(right - origin_x, range.low.x);
-    out.y1[lane] = last_pixel(bottom - origin_y, range.low.y);
+    out.x1[lane] = last_pixel(right - origin_x, range.low.x, tile_size - 1);
+    out.y1[lane] = last_pixel(bottom - origin_y, range.low.y, tile_size - 1);
     const DepthPlane<float> p = depth_plane(t.v, edges.double_area);
     out.depth.x[lane] = p.x;
     out.depth.y[lane] = p.y;

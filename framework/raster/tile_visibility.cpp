@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 
 namespace glint {
 namespace {
@@ -21,12 +20,10 @@ class TileVisibility {
 
   public:
     TileVisibility(const Frame& frame, TileBuffer& tile)
-        : frame_(frame), tile_(tile), offsets_(sample_offsets(frame.settings.samples)) {
-        for (const SampleOffset o : offsets_) {
-            range_.low = {std::min(range_.low.x, o.x), std::min(range_.low.y, o.y)};
-            range_.high = {std::max(range_.high.x, o.x), std::max(range_.high.y, o.y)};
-        }
-    }
+        : frame_(frame),
+          tile_(tile),
+          offsets_(sample_offsets(frame.settings.samples)),
+          range_(offset_range(frame.settings.samples)) {}
 
     void draw(const TileBins& bins, std::uint32_t chunk, std::span<const TriangleRef> refs) {
         const std::size_t known = tile_.triangles.size();

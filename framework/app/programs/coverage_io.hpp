@@ -15,7 +15,6 @@
 #include "framework/math/vec.hpp"
 
 #include <array>
-#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>

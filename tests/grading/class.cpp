@@ -39,12 +39,12 @@ bool is_still_true(const json& report, const fs::path& submission, const Order& 
            report.value("submission", "") == submission_hash(submission, order);
 }
 
-// In a process of its own.
 void grade_student(const ClassOrder& c, const Student& s, const std::string& bundle) {
     const fs::path folder = c.out / s.name;
     Order order = c.order;
     order.student = s.name;
     if (!is_still_true(stored_report(folder), s.submission, order, bundle)) {
+        fs::remove(folder / "report.json");  // else a grade that fails would leave the old one
         const Report report = grade_submission(s.submission, order);
         fs::create_directories(folder);
         write_text(folder / "report.html", as_html(report));
@@ -62,37 +62,48 @@ void say_progress(std::size_t done, std::size_t all, std::chrono::steady_clock::
               << std::flush;
 }
 
-void grade_all(const ClassOrder& c, const std::vector<Student>& students) {
+pid_t start_grading(const ClassOrder& c, const Student& s, const std::string& bundle) {
+    const pid_t child = fork();
+    if (child < 0) {
+        throw Error("no more processes can be started");
+    }
+    if (child == 0) {
+        try {
+            grade_student(c, s, bundle);
+        } catch (const std::exception& e) {
+            std::clog << '\n' << printable(s.name, 80) << ": " << e.what() << '\n';
+            _exit(1);
+        }
+        _exit(0);
+    }
+    return child;
+}
+
+// Each in a process of its own; returns whose did not come to its end.
+std::set<std::string> grade_all(const ClassOrder& c, const std::vector<Student>& students) {
     const std::string bundle = bundle_hash();
     const auto start = std::chrono::steady_clock::now();
-    std::size_t running = 0;
+    std::map<pid_t, std::string> running;
+    std::set<std::string> failed;
     std::size_t done = 0;
     const auto wait_for_one = [&] {
-        wait(nullptr);
-        --running;
+        int status = 0;
+        const auto ended = running.extract(wait(&status));
+        if (status != 0) {
+            failed.insert(ended.mapped());
+        }
         say_progress(++done, students.size(), start);
     };
     for (const Student& s : students) {
-        if (running == static_cast<std::size_t>(c.jobs)) {
+        if (running.size() == static_cast<std::size_t>(c.jobs)) {
             wait_for_one();
         }
-        const pid_t child = fork();
-        if (child == 0) {
-            try {
-                grade_student(c, s, bundle);
-            } catch (const std::exception& e) {
-                std::clog << '\n' << printable(s.name, 80) << ": " << e.what() << '\n';
-            }
-            _exit(0);
-        }
-        if (child < 0) {
-            throw Error("no more processes can be started");
-        }
-        ++running;
+        running.emplace(start_grading(c, s, bundle), s.name);
     }
-    while (running > 0) {
+    while (!running.empty()) {
         wait_for_one();
     }
+    return failed;
 }
 
 struct Statistic {
@@ -160,7 +171,7 @@ std::vector<Student> students_of(const fs::path& folder, const fs::path& roster)
     return students;
 }
 
-void grade_class(const ClassOrder& given) {
+std::set<std::string> grade_class(const ClassOrder& given) {
     ClassOrder c = given;
     if (c.order.lessons.empty()) {
         c.order.lessons = graded_lessons();
@@ -173,17 +184,17 @@ void grade_class(const ClassOrder& given) {
         }
     }
     fs::create_directories(c.out);
-    grade_all(c, mine);
+    return grade_all(c, mine);
 }
 
-std::vector<std::string> sum_up(const ClassOrder& c) {
+std::set<std::string> sum_up(const ClassOrder& c) {
     std::string grades;
     std::map<std::string, Statistic> statistics;
-    std::vector<std::string> not_final;
+    std::set<std::string> not_final;
     for (const Student& s : students_of(c.folder, c.roster)) {
         const json report = stored_report(c.out / s.name);
         if (!report.is_object() || !report.value("final", false)) {
-            not_final.push_back(s.name);
+            not_final.insert(s.name);
         }
         if (report.is_object()) {
             const std::string rows = read_text(c.out / s.name / "grades.csv");

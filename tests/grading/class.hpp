@@ -3,6 +3,8 @@
 
 #include "tests/grading/submission.hpp"
 
+#include <set>
+
 namespace glint::grading {
 
 struct ClassOrder {
@@ -24,11 +26,12 @@ std::vector<Student> students_of(const std::filesystem::path& folder,
                                  const std::filesystem::path& roster);
 
 // Writes for each student out/STUDENT/report.json and .html; what is there and still true is kept,
-// so that a class goes on where it was stopped.
-void grade_class(const ClassOrder& c);
+// so that a class goes on where it was stopped. Returns the students whose grading failed: what is
+// there of them is not to be trusted.
+std::set<std::string> grade_class(const ClassOrder& c);
 
 // Writes out/grades.csv and out/statistics.csv of the reports that are there; returns the students
 // of whom there is no final grade.
-std::vector<std::string> sum_up(const ClassOrder& c);
+std::set<std::string> sum_up(const ClassOrder& c);
 
 }  // namespace glint::grading

@@ -153,22 +153,26 @@ std::vector<std::string> part_command(const Options& o) {
     return words;
 }
 
+int say_who_is_left(const std::set<std::string>& students) {
+    for (const std::string& student : students) {
+        std::cerr << "to be graded again: " << printable(student, 80) << '\n';
+    }
+    return students.empty() ? 0 : 3;
+}
+
 int whole_class(const Options& o) {
+    std::set<std::string> left;
     if (o.slurm) {
         run_array(
             {part_command(o), std::filesystem::absolute(o.c.out) / "slurm", o.chunk, o.c.jobs},
             students_of(o.c.folder, o.c.roster).size());
     } else {
-        grade_class(o.c);
+        left = grade_class(o.c);
     }
-    if (o.c.parts > 1) {
-        return 0;
+    if (o.c.parts == 1) {
+        left.merge(sum_up(o.c));
     }
-    const auto not_final = sum_up(o.c);
-    for (const std::string& student : not_final) {
-        std::cerr << "to be graded again: " << printable(student, 80) << '\n';
-    }
-    return not_final.empty() ? 0 : 3;
+    return say_who_is_left(left);
 }
 
 int similar(const Options& o) {

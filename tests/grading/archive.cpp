@@ -35,7 +35,10 @@ Intake take_from_archive(const fs::path& archive, const std::string& name) {
         return refuse("no archive, or larger than 64 MB");
     }
     const TemporaryFolder folder;
-    fs::copy_file(archive, folder.path() / "a.zip");
+    std::error_code error;
+    if (!fs::copy_file(archive, folder.path() / "a.zip", error)) {
+        return cannot_read(error.message());
+    }
     fs::permissions(folder.path() / "a.zip", fs::perms(0444));
     const Ended list = unzip(folder.path(), {"-Z1", "a.zip"});
     if (list.how != Ended::How::exited || list.code != 0) {

@@ -35,7 +35,9 @@ LessonResult grade_lesson(const Lesson& lesson, const Intake& submitted,
         return submitted.text ? grade_text(lesson, *submitted.text, root)
                : submitted.objection.empty()
                    ? not_run(lesson, Verdict::skipped, "not handed in")
-                   : not_run(lesson, Verdict::rejected, lesson.header + ": " + submitted.objection);
+                   : not_run(lesson,
+                             submitted.is_ours ? Verdict::internal_error : Verdict::rejected,
+                             lesson.header + ": " + submitted.objection);
     } catch (const std::exception& e) {
         return not_run(lesson, Verdict::internal_error, e.what());
     }

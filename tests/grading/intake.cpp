@@ -14,9 +14,26 @@ namespace {
 // Never waits, as opening a FIFO would.
 constexpr int carefully = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
 
+Intake not_opened(int reason) {
+    switch (reason) {
+        case ENOENT:
+        case ENOTDIR:
+            return refuse("");
+        case ELOOP:
+            return refuse("a link");
+        case ENXIO:
+            return refuse("not a regular file");  // a socket
+        default:
+            return cannot_read(std::strerror(reason));
+    }
+}
+
 Intake read_file(int file) {
     struct stat info {};
-    if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
+    if (fstat(file, &info) != 0) {
+        return cannot_read(std::strerror(errno));
+    }
+    if (!S_ISREG(info.st_mode)) {
         return refuse("not a regular file");
     }
     if (info.st_nlink != 1) {
@@ -30,7 +47,7 @@ Intake read_file(int file) {
     for (ssize_t got = 1; got > 0 && size < text.size(); size += static_cast<std::size_t>(got)) {
         got = read(file, text.data() + size, text.size() - size);
         if (got < 0) {
-            return refuse("cannot be read");
+            return cannot_read(std::strerror(errno));
         }
     }
     text.resize(size);
@@ -54,9 +71,7 @@ Intake take_in(const std::filesystem::path& folder, const std::filesystem::path&
         errno = why;
     }
     if (at < 0) {
-        return refuse(errno == ENOENT || errno == ENOTDIR ? ""
-                      : errno == ELOOP                    ? "a link"
-                                                          : "cannot be read");
+        return not_opened(errno);
     }
     Intake taken = read_file(at);
     close(at);

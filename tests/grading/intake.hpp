@@ -10,10 +10,15 @@ namespace glint::grading {
 struct Intake {
     std::optional<std::string> text;
     std::string objection;  // why there is none; empty where there is no such file
+    bool is_ours = false;   // the objection is to the grader, which cannot read what is there
 };
 
 inline Intake refuse(const std::string& why) {
     return {std::nullopt, why};
+}
+
+inline Intake cannot_read(const std::string& why) {
+    return {std::nullopt, "cannot be read: " + why, true};
 }
 
 inline constexpr std::size_t largest_submission = std::size_t{256} * 1024;

@@ -28,6 +28,9 @@ void export_for_jplag(const ClassOrder& c, const fs::path& students_tree) {
         for (const Student& s : students_of(c.folder, c.roster)) {
             const Intake taken =
                 s.submission.empty() ? Intake{} : find_header(s.submission, lesson);
+            if (taken.is_ours) {
+                throw Error(s.submission.string() + ": " + lesson.header + ' ' + taken.objection);
+            }
             if (taken.text) {
                 write_header(c.out / "submissions" / s.name, lesson, *taken.text);
             }

@@ -2,12 +2,14 @@
 
 #include "framework/image/file.hpp"
 #include "tests/grading/archive.hpp"
+#include "tests/grading/grade_lesson.hpp"
 #include "tests/grading/plain_text.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -71,6 +73,26 @@ TEST_CASE("links, devices, pipes, folders, large and binary files are refused") 
     CHECK(objection(f.path, "binary") == "not a text in UTF-8");
     write_text(f.path / "latin", "\xe4");
     CHECK(objection(f.path, "latin") == "not a text in UTF-8");
+}
+
+TEST_CASE("what the grader cannot read is its own fault, not the student's") {
+    const Folder f;
+    write_text(f.path / "a.hpp", "int x;\n");
+    rlimit files{};
+    getrlimit(RLIMIT_NOFILE, &files);
+    const rlimit none{0, files.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &none);
+    const Intake taken = take_in(f.path, "a.hpp");
+    setrlimit(RLIMIT_NOFILE, &files);
+    CHECK(taken.is_ours);
+    CHECK(taken.objection == "cannot be read: Too many open files");
+    const LessonResult r = grade_lesson(Lesson{"12_schlick", "schlick.hpp", {}}, taken, f.path);
+    CHECK(r.verdict == Verdict::internal_error);
+
+    REQUIRE(mknod((f.path / "socket").c_str(), S_IFSOCK | 0600, 0) == 0);
+    CHECK(objection(f.path, "socket") == "not a regular file");
+    CHECK(!take_in(f.path, "socket").is_ours);
+    CHECK(!take_in(f.path, "none.hpp").is_ours);
 }
 
 TEST_CASE("a header is taken out of an archive, and nothing else is") {

@@ -143,34 +143,6 @@ std::string second_line(const std::string& text) {
 
 }  // namespace
 
-std::vector<Student> students_of(const fs::path& folder, const fs::path& roster) {
-    std::map<std::string, fs::path> all;
-    if (!roster.empty()) {
-        std::istringstream lines(read_text(roster));
-        for (std::string line; std::getline(lines, line);) {
-            const std::string name = line.substr(0, line.find_first_of(",\r"));
-            if (!name.empty() && name != "student") {  // a heading
-                all[name];
-            }
-        }
-    }
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const fs::path& path = entry.path();
-        const fs::file_type type = entry.symlink_status().type();
-        if (type == fs::file_type::directory) {
-            all[path.filename()] = path;
-        } else if (type == fs::file_type::regular && path.extension() == ".zip") {
-            all[path.stem()] = path;
-        }
-    }
-    std::vector<Student> students;
-    students.reserve(all.size());
-    for (const auto& [name, path] : all) {
-        students.push_back({name, path});
-    }
-    return students;
-}
-
 std::set<std::string> grade_class(const ClassOrder& given) {
     ClassOrder c = given;
     if (c.order.lessons.empty()) {

@@ -1,6 +1,7 @@
 // Grades a class: a folder that holds a folder or a zip archive for each student.
 #pragma once
 
+#include "tests/grading/students.hpp"
 #include "tests/grading/submission.hpp"
 
 #include <set>
@@ -15,15 +16,6 @@ struct ClassOrder {
     int jobs = 1;
     int part = 0, parts = 1;  // of the students, to be graded on several machines
 };
-
-struct Student {
-    std::string name;
-    std::filesystem::path submission;  // empty: nothing was handed in
-};
-
-// In the folder, or on the roster where there is one; by name.
-std::vector<Student> students_of(const std::filesystem::path& folder,
-                                 const std::filesystem::path& roster);
 
 // Writes for each student out/STUDENT/report.json and .html; what is there and still true is kept,
 // so that a class goes on where it was stopped. Returns the students whose grading failed: what is

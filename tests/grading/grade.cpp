@@ -82,6 +82,9 @@ void finish(Options& o) {
     if (!o.metadata.empty()) {
         o.c.order.student = student_of(o.metadata);
     }
+    if (!o.c.folder.empty()) {
+        require_outside(o.c.folder, o.c.out);
+    }
     for (const std::string& word : o.lessons) {
         o.c.order.lessons.push_back(lesson_named(word));
     }

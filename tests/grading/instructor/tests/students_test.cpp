@@ -1,0 +1,74 @@
+// Who is in a class is read off names that anyone may have chosen.
+#include "tests/grading/students.hpp"
+
+#include "framework/image/file.hpp"
+#include "framework/math/error.hpp"
+#include "tests/temporary.hpp"
+
+#include <doctest/doctest.h>
+
+namespace glint::grading {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct HandedIn {
+    TemporaryFolder scratch;
+    fs::path folder = scratch / "in", roster = scratch / "roster.csv";
+
+    HandedIn() { fs::create_directories(folder / "ada"); }
+
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const Student& s : students_of(folder, fs::exists(roster) ? roster : fs::path())) {
+            all.push_back(s.name);
+        }
+        return all;
+    }
+    std::string error() const {
+        try {
+            names();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    }
+};
+
+using Names = std::vector<std::string>;
+
+TEST_CASE("no name leads out of the folder for reports, or to what else lies there") {
+    const HandedIn in;
+    CHECK(in.names() == Names{"ada"});
+    for (const std::string name : {"../escape", "/tmp/escape", "..", "a/b", "slurm"}) {
+        write_text(in.roster, name + ",x\n");
+        CHECK(in.error().starts_with(in.roster.string() + ": no student can be called '" + name));
+    }
+    fs::remove(in.roster);
+    for (const char* name : {"...zip", "..zip", "grades.csv.zip"}) {
+        write_text(in.folder / name, "");
+        CHECK(in.error().starts_with((in.folder / name).string() + ": no student"));
+        fs::remove(in.folder / name);
+    }
+    for (const char* name : {"grades.csv", "statistics.csv", "slurm"}) {
+        fs::create_directory(in.folder / name);
+        CHECK(in.error().starts_with((in.folder / name).string() + ": no student"));
+        fs::remove(in.folder / name);
+    }
+}
+
+TEST_CASE("what is written lies elsewhere than what was handed in") {
+    const HandedIn in;
+    fs::create_directory_symlink(in.folder, in.scratch / "link");
+    for (const fs::path& out :
+         {in.folder, in.folder / "out", in.folder / "ada/../new/out", in.scratch / "link/out"}) {
+        CHECK_THROWS_AS(require_outside(in.folder, out), Error);
+    }
+    for (const fs::path& out : {in.scratch / "out", in.scratch / "in2", in.folder / "../out"}) {
+        CHECK_NOTHROW(require_outside(in.folder, out));
+    }
+    CHECK_NOTHROW(require_outside(in.folder, "not_there/out"));
+}
+
+}  // namespace
+}  // namespace glint::grading

@@ -1,0 +1,23 @@
+// Who is in a class: by what lies in its folder, and by its roster.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glint::grading {
+
+struct Student {
+    std::string name;
+    std::filesystem::path submission;  // empty: nothing was handed in
+};
+
+// In the folder, or on the roster where there is one; by name. An Error where a name cannot be that
+// of a folder for reports.
+std::vector<Student> students_of(const std::filesystem::path& folder,
+                                 const std::filesystem::path& roster);
+
+// An Error where what is written would be taken for a submission.
+void require_outside(const std::filesystem::path& folder, const std::filesystem::path& out);
+
+}  // namespace glint::grading

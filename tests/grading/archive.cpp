@@ -5,6 +5,7 @@
 #include "tests/temporary.hpp"
 
 #include <sstream>
+#include <strings.h>
 
 namespace glint::grading {
 namespace {
@@ -28,6 +29,10 @@ bool is_pattern(const std::string& member) {
 }
 
 }  // namespace
+
+bool is_archive(const fs::path& file) {
+    return strcasecmp(file.extension().c_str(), ".zip") == 0;
+}
 
 Intake take_from_archive(const fs::path& archive, const std::string& name) {
     if (fs::symlink_status(archive).type() != fs::file_type::regular ||

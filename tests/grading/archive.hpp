@@ -6,6 +6,9 @@
 
 namespace glint::grading {
 
+// By its name, in capitals or not.
+bool is_archive(const std::filesystem::path& file);
+
 // The one member of that name, in whatever folder of the archive.
 Intake take_from_archive(const std::filesystem::path& archive, const std::string& name);
 

@@ -156,6 +156,13 @@ std::vector<std::string> part_command(const Options& o) {
     return words;
 }
 
+void warn_of_others(const std::filesystem::path& folder) {
+    for (const std::filesystem::path& other : not_taken(folder)) {
+        std::cerr << "warning: " << printable(other.string(), 200)
+                  << ": is no folder and no zip archive, so it is nobody's submission\n";
+    }
+}
+
 int say_who_is_left(const std::set<std::string>& students) {
     for (const std::string& student : students) {
         std::cerr << "to be graded again: " << printable(student, 80) << '\n';
@@ -164,6 +171,7 @@ int say_who_is_left(const std::set<std::string>& students) {
 }
 
 int whole_class(const Options& o) {
+    warn_of_others(o.c.folder);
     std::set<std::string> left;
     if (o.slurm) {
         run_array(
@@ -179,6 +187,7 @@ int whole_class(const Options& o) {
 }
 
 int similar(const Options& o) {
+    warn_of_others(o.c.folder);
     export_for_jplag(o.c, o.handout);
     const std::string out = o.c.out.string();
     std::clog << "java -jar jplag.jar -l cpp -bc " << shell_word(out + "/base") << ' '

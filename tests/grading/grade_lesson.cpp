@@ -51,7 +51,7 @@ Intake find_header(const std::filesystem::path& submission, const Lesson& lesson
             return taken;
         }
     }
-    if (submission.extension() == ".zip") {
+    if (is_archive(submission)) {
         return take_from_archive(submission, lesson.header);
     }
     const Intake flat = take_in(submission, lesson.header);

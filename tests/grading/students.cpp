@@ -2,10 +2,10 @@
 
 #include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
+#include "tests/grading/archive.hpp"
 #include "tests/grading/plain_text.hpp"
 
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace glint::grading {
@@ -38,7 +38,20 @@ void add_roster(Submissions& all, const fs::path& roster) {
 
 void add_submission(Submissions& all, const std::string& name, const fs::path& path) {
     require_name(name, path.string());
-    all[name] = path;
+    fs::path& submission = all[name];
+    if (!submission.empty()) {
+        throw Error(submission.string() + " and " + path.string() +
+                    ": two submissions of one student; keep the one that counts");
+    }
+    submission = path;
+}
+
+bool is_folder(const fs::directory_entry& entry) {
+    return entry.symlink_status().type() == fs::file_type::directory;
+}
+
+bool is_zip(const fs::directory_entry& entry) {
+    return entry.symlink_status().type() == fs::file_type::regular && is_archive(entry.path());
 }
 
 }  // namespace
@@ -50,10 +63,9 @@ std::vector<Student> students_of(const fs::path& folder, const fs::path& roster)
     }
     for (const auto& entry : fs::directory_iterator(folder)) {
         const fs::path& path = entry.path();
-        const fs::file_type type = entry.symlink_status().type();
-        if (type == fs::file_type::directory) {
+        if (is_folder(entry)) {
             add_submission(all, path.filename(), path);
-        } else if (type == fs::file_type::regular && path.extension() == ".zip") {
+        } else if (is_zip(entry)) {
             add_submission(all, path.stem(), path);
         }
     }
@@ -63,6 +75,16 @@ std::vector<Student> students_of(const fs::path& folder, const fs::path& roster)
         students.push_back({name, path});
     }
     return students;
+}
+
+std::set<fs::path> not_taken(const fs::path& folder) {
+    std::set<fs::path> others;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (!is_folder(entry) && !is_zip(entry)) {
+            others.insert(entry.path());
+        }
+    }
+    return others;
 }
 
 void require_outside(const fs::path& folder, const fs::path& out) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,12 @@ struct Student {
 };
 
 // In the folder, or on the roster where there is one; by name. An Error where a name cannot be that
-// of a folder for reports.
+// of a folder for reports, or where a student has two submissions.
 std::vector<Student> students_of(const std::filesystem::path& folder,
                                  const std::filesystem::path& roster);
+
+// What else lies in the folder: no folder and no zip archive.
+std::set<std::filesystem::path> not_taken(const std::filesystem::path& folder);
 
 // An Error where what is written would be taken for a submission.
 void require_outside(const std::filesystem::path& folder, const std::filesystem::path& out);

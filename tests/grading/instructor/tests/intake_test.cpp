@@ -108,6 +108,8 @@ TEST_CASE("a header is taken out of an archive, and nothing else is") {
     write_text(f.path / "sub/a.hpp", "int x;\n");
     write_text(f.path / "b.hpp", "int y;\n");
     CHECK(zip("one.zip", "sub/a.hpp b.hpp").text == "int x;\n");
+    fs::copy_file(f.path / "one.zip", f.path / "ONE.ZIP");
+    CHECK(find_header(f.path / "ONE.ZIP", Lesson{"", "a.hpp", {}}).text == "int x;\n");
     CHECK(zip("none.zip", "b.hpp").objection.empty());
     write_text(f.path / "a.hpp", "int z;\n");
     CHECK(zip("two.zip", "a.hpp sub/a.hpp").objection.starts_with("more than one"));

@@ -57,6 +57,21 @@ TEST_CASE("no name leads out of the folder for reports, or to what else lies the
     }
 }
 
+TEST_CASE("nothing that was handed in is passed over in silence") {
+    const HandedIn in;
+    for (const char* name : {"bob.ZIP", "carl.hpp", "dora.tar.gz"}) {
+        write_text(in.folder / name, "");
+    }
+    fs::create_symlink(in.folder / "ada", in.folder / "link");
+    CHECK(in.names() == Names{"ada", "bob"});
+    CHECK(not_taken(in.folder) == std::set<fs::path>{in.folder / "carl.hpp",
+                                                     in.folder / "dora.tar.gz",
+                                                     in.folder / "link"});
+    write_text(in.folder / "ada.zip", "");
+    CHECK(in.error().find((in.folder / "ada").string()) != std::string::npos);
+    CHECK(in.error().find((in.folder / "ada.zip").string()) != std::string::npos);
+}
+
 TEST_CASE("what is written lies elsewhere than what was handed in") {
     const HandedIn in;
     fs::create_directory_symlink(in.folder, in.scratch / "link");

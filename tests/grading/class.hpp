@@ -11,8 +11,7 @@ namespace glint::grading {
 struct ClassOrder {
     Order order;  // whose student is each in turn
     std::filesystem::path folder, out;
-    std::filesystem::path roster;  // a CSV whose first column names the students, under the heading
-                                   // student or none; may be empty
+    std::filesystem::path roster;  // may be empty
     int jobs = 1;
     int part = 0, parts = 1;  // of the students, to be graded on several machines
 };

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <sstream>
+#include <strings.h>
 
 namespace glint::grading {
 namespace {
@@ -25,12 +26,46 @@ void require_name(const std::string& name, const std::string& where) {
     }
 }
 
+// Of a line of CSV. In quotes, "" is a quote.
+std::string first_field(const std::string& line, char separator, const std::string& where) {
+    if (!line.starts_with('"')) {
+        return line.substr(0, line.find(separator));
+    }
+    std::string field;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (line[i] == '"' && line[++i] != '"') {
+            return field;
+        }
+        field += line[i];
+    }
+    throw Error(where + ": a quote without its end; write \"student\",...");
+}
+
+bool is_heading(const std::string& field) {
+    return strcasecmp(field.c_str(), "student") == 0;
+}
+
+// Spreadsheets write marks of the byte order and of the line's end, and where a comma is that of
+// numbers, semicolons.
 void add_roster(Submissions& all, const fs::path& roster) {
-    std::istringstream lines(read_text(roster));
+    std::string text = read_text(roster);
+    if (!is_plain_text(text)) {
+        throw Error(roster.string() + ": is not in UTF-8; save it as CSV in UTF-8");
+    }
+    if (text.starts_with("\xef\xbb\xbf")) {
+        text.erase(0, 3);
+    }
+    const std::string first_line = text.substr(0, text.find('\n'));
+    const bool commas = first_line.find(',') != std::string::npos;
+    const char separator = commas || first_line.find(';') == std::string::npos ? ',' : ';';
+    std::istringstream lines(text);
+    int number = 0;
     for (std::string line; std::getline(lines, line);) {
-        const std::string name = line.substr(0, line.find_first_of(",\r"));
-        if (!name.empty() && name != "student") {  // a heading
-            require_name(name, roster.string());
+        const std::string where = roster.string() + ':' + std::to_string(++number);
+        line.erase(line.find_last_not_of('\r') + 1);
+        const std::string name = first_field(line, separator, where);
+        if (!name.empty() && !(number == 1 && is_heading(name))) {
+            require_name(name, where);
             all[name];
         }
     }

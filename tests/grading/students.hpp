@@ -13,8 +13,10 @@ struct Student {
     std::filesystem::path submission;  // empty: nothing was handed in
 };
 
-// In the folder, or on the roster where there is one; by name. An Error where a name cannot be that
-// of a folder for reports, or where a student has two submissions.
+// In the folder, or on the roster where there is one; by name. The roster is a CSV with commas or
+// semicolons, in UTF-8, whose first column names the students, under the heading student or none.
+// An Error where a name cannot be that of a folder for reports, or where a student has two
+// submissions.
 std::vector<Student> students_of(const std::filesystem::path& folder,
                                  const std::filesystem::path& roster);
 

@@ -42,7 +42,7 @@ TEST_CASE("no name leads out of the folder for reports, or to what else lies the
     CHECK(in.names() == Names{"ada"});
     for (const std::string name : {"../escape", "/tmp/escape", "..", "a/b", "slurm"}) {
         write_text(in.roster, name + ",x\n");
-        CHECK(in.error().starts_with(in.roster.string() + ": no student can be called '" + name));
+        CHECK(in.error().starts_with(in.roster.string() + ":1: no student can be called '" + name));
     }
     fs::remove(in.roster);
     for (const char* name : {"...zip", "..zip", "grades.csv.zip"}) {
@@ -70,6 +70,32 @@ TEST_CASE("nothing that was handed in is passed over in silence") {
     write_text(in.folder / "ada.zip", "");
     CHECK(in.error().find((in.folder / "ada").string()) != std::string::npos);
     CHECK(in.error().find((in.folder / "ada.zip").string()) != std::string::npos);
+}
+
+TEST_CASE("rosters are read as programs write them") {
+    const HandedIn in;
+    const auto names = [&](const char* roster) {
+        write_text(in.roster, roster);
+        return in.names();
+    };
+    CHECK(names("student,name\nada,Ada\n\nbob") == Names{"ada", "bob"});
+    CHECK(names("ada\nbob\n") == Names{"ada", "bob"});
+    CHECK(names("\xef\xbb\xbfstudent,name\r\nbob,Bob\r\n\r\n") == Names{"ada", "bob"});
+    CHECK(names("\xef\xbb\xbf\"student\",\"name\"\r\n\"bob\",\"Bob\"\r\n") == Names{"ada", "bob"});
+    CHECK(names("Student\n\"Doe, Jane\",2\n\"o\"\"neil\"\n") ==
+          Names{"Doe, Jane", "ada", "o\"neil"});
+    CHECK(names("student;name\nbob;Bob, or Robert\n") == Names{"ada", "bob"});
+    CHECK(names("student,name\nbob;y,Bob\n") == Names{"ada", "bob;y"});
+}
+
+TEST_CASE("rosters that cannot be read are refused") {
+    const HandedIn in;
+    write_text(in.roster, "student\n\"bob,Bob\n");
+    CHECK(in.error().starts_with(in.roster.string() + ":2: a quote"));
+    write_text(in.roster,
+               "\xff\xfe"
+               "b");
+    CHECK(in.error().starts_with(in.roster.string() + ": is not in UTF-8"));
 }
 
 TEST_CASE("what is written lies elsewhere than what was handed in") {

@@ -110,6 +110,7 @@ void say_what_it_builds_on(std::ostream& out, const Report& report) {
 }
 
 int one(const Options& o) {
+    require_submission(o.submission, o.c.order);
     const Report report = grade_submission(o.submission, o.c.order);
     if (report.lessons.empty()) {
         throw Error(o.submission.string() + ": no lesson's header is there");

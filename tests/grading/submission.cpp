@@ -2,6 +2,7 @@
 
 #include "framework/image/file.hpp"
 #include "framework/math/error.hpp"
+#include "tests/grading/archive.hpp"
 #include "tests/grading/digest.hpp"
 #include "tests/grading/doctor.hpp"
 #include "tests/grading/grade_lesson.hpp"
@@ -124,6 +125,26 @@ std::vector<std::string> unsolved_before(const std::string& lesson,
         }
     }
     return unsolved;
+}
+
+void require_submission(const std::filesystem::path& submission, const Order& order) {
+    const auto status = std::filesystem::symlink_status(submission);
+    if (!std::filesystem::exists(status)) {
+        throw Error(submission.string() +
+                    ": is not there; name a header, a folder or a zip archive");
+    }
+    if (std::filesystem::is_directory(status) || is_archive(submission)) {
+        return;
+    }
+    std::string headers;
+    for (const std::string& lesson : order.lessons.empty() ? graded_lessons() : order.lessons) {
+        const std::string header = cases_of(lesson, std::nullopt).header;
+        if (submission.filename() == header) {
+            return;
+        }
+        headers += ' ' + header;
+    }
+    throw Error(submission.string() + ": is no folder, no zip archive and none of" + headers);
 }
 
 Report grade_submission(const std::filesystem::path& submission, const Order& order) {

@@ -29,6 +29,10 @@ std::string submission_hash(const std::filesystem::path& submission, const Order
 // What tells the hidden cases of an order from those of others; empty where it has none.
 std::string seed_of(const Order& order);
 
+// An Error where there is no such submission, or a single file of another name than the headers
+// that are graded have.
+void require_submission(const std::filesystem::path& submission, const Order& order);
+
 // The submission is a header, a folder or a zip archive with some. A header that is ordered and
 // missing is skipped.
 Report grade_submission(const std::filesystem::path& submission, const Order& order);

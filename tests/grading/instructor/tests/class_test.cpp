@@ -125,6 +125,25 @@ TEST_CASE("a grade that cannot be made anew is not the old one") {
     CHECK(read_text(c.order.out / "grades.csv").find("\"ada\"") == std::string::npos);
 }
 
+TEST_CASE("who names nothing that can be graded learns it, and gets no zero") {
+    const Class c;
+    const auto error = [&](const fs::path& submission) {
+        try {
+            require_submission(submission, c.order.order);
+        } catch (const Error& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    CHECK(error(c.path / "none").starts_with((c.path / "none").string() + ": is not there"));
+    CHECK(error(c.path / "roster.csv").ends_with("none of schlick.hpp"));
+    CHECK(error(c.path / "in/ada/schlick.hpp").empty());
+    CHECK(error(c.path / "in/link/schlick.hpp").empty());  // there, though rejected
+    CHECK(error(c.path / "in/ada").empty());
+    write_text(c.path / "ada.ZIP", "");
+    CHECK(error(c.path / "ada.ZIP").empty());
+}
+
 TEST_CASE("JPlag gets what was handed in, and what everyone was given") {
     Class c;
     const fs::path given = c.path / "given";

@@ -10,7 +10,7 @@ build_needs=(g++:c++ cmake:cmake ninja-build:ninja libglm-dev:glm/glm.hpp
   libtinyobjloader-dev:tiny_obj_loader.h nlohmann-json3-dev:nlohmann/json.hpp)
 window_needs=(libsdl2-dev:SDL2/SDL.h)
 test_needs=(doctest-dev:doctest/doctest.h libseccomp-dev:seccomp.h
-  libssl-dev:openssl/hmac.h git:git)
+  libssl-dev:openssl/hmac.h git:git unzip:unzip)
 window_test_needs=("${window_needs[@]}" xvfb:Xvfb xdotool:xdotool imagemagick:import)
 gallery_test_needs=(chromium:chromium chromium-driver:chromedriver curl:curl)
 count_test_needs=(valgrind:valgrind)

@@ -1,11 +1,13 @@
 #include "tests/grading/archive.hpp"
 
+#include "framework/math/error.hpp"
 #include "tests/grading/plain_text.hpp"
 #include "tests/grading/sandbox/confine.hpp"
 #include "tests/temporary.hpp"
 
 #include <sstream>
 #include <strings.h>
+#include <unistd.h>
 
 namespace glint::grading {
 namespace {
@@ -13,10 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
+constexpr const char* unzip_program = "/usr/bin/unzip";
 constexpr std::uintmax_t largest_archive = 64 * MB;
 
 Ended unzip(const fs::path& folder, std::vector<std::string> arguments) {
-    return run_confined({"/usr/bin/unzip", std::move(arguments), {"LC_ALL=C.UTF-8"}, ""},
+    return run_confined({unzip_program, std::move(arguments), {"LC_ALL=C.UTF-8"}, ""},
                         {Calls::compiling,
                          {5s, 10s, 256 * MB, 8 * MB, 0, 0, largest_submission},
                          Reach{{"/usr", "/lib", "/lib64", folder}, {}},
@@ -34,7 +37,15 @@ bool is_archive(const fs::path& file) {
     return strcasecmp(file.extension().c_str(), ".zip") == 0;
 }
 
+bool can_unzip() {
+    return access(unzip_program, X_OK) == 0;
+}
+
 Intake take_from_archive(const fs::path& archive, const std::string& name) {
+    if (!can_unzip()) {
+        throw Error(archive.string() + ": zip archives are read by " + unzip_program +
+                    ", which is missing; on Debian, install it by: apt-get install unzip");
+    }
     if (fs::symlink_status(archive).type() != fs::file_type::regular ||
         fs::file_size(archive) > largest_archive) {
         return refuse("no archive, or larger than 64 MB");

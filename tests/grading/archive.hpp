@@ -9,7 +9,10 @@ namespace glint::grading {
 // By its name, in capitals or not.
 bool is_archive(const std::filesystem::path& file);
 
-// The one member of that name, in whatever folder of the archive.
+// Whether the program that reads archives is installed.
+bool can_unzip();
+
+// The one member of that name, in whatever folder of the archive. An Error where there is no unzip.
 Intake take_from_archive(const std::filesystem::path& archive, const std::string& name);
 
 }  // namespace glint::grading

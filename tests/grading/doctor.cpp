@@ -1,5 +1,6 @@
 #include "tests/grading/doctor.hpp"
 
+#include "tests/grading/archive.hpp"
 #include "tests/grading/sandbox/confine.hpp"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ std::vector<Protection> protections() {
          landlock > 0, !root},
         {"user", root ? "another one for what is graded" : "the grader's own: root has another",
          root, false},
+        {"archives", can_unzip() ? "read by unzip" : "zip is not read: install unzip", can_unzip(),
+         false},
     };
 }
 

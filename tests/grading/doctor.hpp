@@ -1,4 +1,4 @@
-// Which protections this machine has, found out by trying.
+// Which protections this machine has, found out by trying, and whether it reads archives.
 #pragma once
 
 #include <string>

@@ -28,10 +28,10 @@ echo '{"users": [{"id": 7, "email": "b@x"}, {"id": 3, "email": "a@x"}]}' \
 
 # ---- the image is made: all but the compiler's work is done --------------------------------------
 
-# A machine without ninja, where packages come from nowhere and the grader is built in no time.
+# A machine without ninja and unzip, where packages come from nowhere and the grader is built in no time.
 mkdir bin
 ln -s /usr/bin/* bin/
-rm -f bin/{ninja,apt-get,cmake,sudo}
+rm -f bin/{ninja,unzip,apt-get,cmake,sudo}
 cat >bin/apt-get <<END
 #!/bin/sh
 echo "\$*" >>$scratch/packages
@@ -48,7 +48,7 @@ END
 printf '#!/bin/sh\nexec "$@"\n' >bin/sudo
 chmod +x bin/{apt-get,cmake,sudo}
 PATH=$scratch/bin autograder/source/setup.sh &>log || wrong "setup.sh: $(<log)"
-grep -q '^install .*ninja-build' packages || wrong "setup.sh does not install what is missing"
+grep -q '^install .*ninja-build.* unzip' packages || wrong "setup.sh does not install what is missing"
 [[ $(stat -c %a autograder/source/secret) == ?00 ]] || wrong "others may read the secret"
 
 # ---- submissions come ----------------------------------------------------------------------------

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 constexpr const char* unzip_program = "/usr/bin/unzip";
+constexpr int none_matches = 11;  // what unzip then exits with
 constexpr std::uintmax_t largest_archive = 64 * MB;
 
 Ended unzip(const fs::path& folder, std::vector<std::string> arguments) {
@@ -56,7 +57,11 @@ Intake take_from_archive(const fs::path& archive, const std::string& name) {
         return cannot_read(error.message());
     }
     fs::permissions(folder.path() / "a.zip", fs::perms(0444));
-    const Ended list = unzip(folder.path(), {"-Z1", "a.zip"});
+    // Of those alone that may be it, for there may be thousands of others.
+    const Ended list = unzip(folder.path(), {"-Z1", "a.zip", '*' + name});
+    if (list.how == Ended::How::exited && list.code == none_matches) {
+        return refuse("");
+    }
     if (list.how != Ended::How::exited || list.code != 0) {
         return refuse("an archive that cannot be read");
     }

@@ -110,6 +110,13 @@ TEST_CASE("a header is taken out of an archive, and nothing else is") {
     CHECK(zip("one.zip", "sub/a.hpp b.hpp").text == "int x;\n");
     fs::copy_file(f.path / "one.zip", f.path / "ONE.ZIP");
     CHECK(find_header(f.path / "ONE.ZIP", Lesson{"", "a.hpp", {}}).text == "int x;\n");
+    fs::create_directory(f.path / "many");
+    const std::string long_name(200, 'x');
+    for (int i = 0; i < 2000; ++i) {
+        write_text(f.path / "many" / (long_name + std::to_string(i)), "");
+    }
+    CHECK(zip("many.zip", "-r many sub/a.hpp").text == "int x;\n");
+    CHECK(zip("others.zip", "-r many").objection.empty());
     CHECK(zip("none.zip", "b.hpp").objection.empty());
     write_text(f.path / "a.hpp", "int z;\n");
     CHECK(zip("two.zip", "a.hpp sub/a.hpp").objection.starts_with("more than one"));

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
-#include <optional>
 #include <thread>
 
 namespace glint::grading {
@@ -37,16 +36,26 @@ Output output_of(const std::string& command) {
     return {text, pclose(pipe) == 0};
 }
 
+// What Slurm complains of, on one line.
+std::string complaint(const Output& o) {
+    std::string words = printable(o.text, 400);
+    words.erase(words.find_last_not_of('\n') + 1);
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    return words;
+}
+
 // The same for the same folder, so that its job is found again.
 std::string name_of(const Array& a) {
     return "grade_" + sha256(a.folder.string()).substr(0, 12);
 }
 
-// Tasks that wait or run; none where the controller does not answer.
-std::optional<std::size_t> tasks_left(const Array& a) {
-    const Output queue = output_of("squeue --noheader --array --format=%i --name=" + name_of(a));
-    return queue.good ? std::optional(std::count(queue.text.begin(), queue.text.end(), '\n'))
-                      : std::nullopt;
+// A line for each task that waits or runs.
+Output queue_of(const Array& a) {
+    return output_of("squeue --noheader --array --format=%i --name=" + name_of(a));
+}
+
+std::size_t tasks_in(const Output& queue) {
+    return static_cast<std::size_t>(std::count(queue.text.begin(), queue.text.end(), '\n'));
 }
 
 std::string script_of(const Array& a, std::size_t tasks) {
@@ -68,7 +77,7 @@ void submit(const Array& a, std::size_t tasks) {
                   " --chdir=" + shell_word(a.folder.string()) + ' ' +
                   shell_word((a.folder / "array.sh").string()));
     if (!said.good) {
-        throw Error("the class was not handed to Slurm: " + printable(said.text, 400));
+        throw Error("the class was not handed to Slurm: " + complaint(said));
     }
     std::clog << said.text << "Logs and the script are in " << a.folder.string() << '\n';
 }
@@ -78,15 +87,19 @@ void submit(const Array& a, std::size_t tasks) {
 void run_array(const Array& a, std::size_t students) {
     const auto chunk = static_cast<std::size_t>(a.chunk);
     const std::size_t tasks = std::max<std::size_t>(1, (students + chunk - 1) / chunk);
-    std::optional<std::size_t> left = tasks_left(a);
-    if (left == std::optional<std::size_t>(0)) {
-        submit(a, tasks);
-        left = tasks;
+    Output queue = queue_of(a);
+    if (!queue.good) {  // a controller that never answered may never come
+        throw Error("--slurm: squeue does not answer; start Slurm, or leave it out: " +
+                    complaint(queue));
     }
-    for (; left != std::optional<std::size_t>(0); left = tasks_left(a)) {
-        std::clog << (left ? '\r' + std::to_string(*left) + " of " + std::to_string(tasks) +
-                                 " tasks wait or run    "
-                           : std::string("\rSlurm does not answer; waiting"))
+    if (tasks_in(queue) == 0) {
+        submit(a, tasks);
+        queue = queue_of(a);
+    }
+    for (; !queue.good || tasks_in(queue) > 0; queue = queue_of(a)) {
+        std::clog << (queue.good ? '\r' + std::to_string(tasks_in(queue)) + " of " +
+                                       std::to_string(tasks) + " tasks wait or run    "
+                                 : std::string("\rSlurm does not answer; waiting"))
                   << std::flush;
         std::this_thread::sleep_for(2s);
     }

@@ -15,7 +15,7 @@ struct Array {
 // Submits an array job, one task for each chunk of so many students, and waits until Slurm has
 // none of it any more. Where an array of that folder is still there, waits for that one instead:
 // so who was stopped calls again. Slurm's controller may go and come back meanwhile. An Error
-// where the job cannot be submitted.
+// where it does not answer to begin with, or where the job cannot be submitted.
 void run_array(const Array& array, std::size_t students);
 
 }  // namespace glint::grading

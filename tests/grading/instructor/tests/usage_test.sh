@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# What is asked wrongly ends with a line that says how to mend it, and leaves nothing behind.
+#
+#   usage_test.sh GRADE
+set -euo pipefail
+shopt -s inherit_errexit
+# shellcheck source=SCRIPTDIR/../../../words.sh
+source "$(dirname "$(realpath "$0")")/../../../words.sh"
+grade=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -r "$scratch"' EXIT
+cd "$scratch"
+
+# refuses TEXT ARGUMENT...: TEXT is in the one line of the error.
+refuses() {
+  local text=$1 status=0
+  shift
+  "$grade" "$@" >said 2>err || status=$?
+  ((status == 2)) || wrong "grade $* ends with $status, not 2: $(<err)"
+  (($(wc -l <err) == 1)) || wrong "grade $*: not one line: $(<err)"
+  [[ $(<err) == "error: "*"$text"* ]] || wrong "grade $*: the error lacks '$text': $(<err)"
+}
+
+mkdir -p in/ada bin
+
+# ---- without Slurm -------------------------------------------------------------------------------
+
+printf '#!/bin/sh\necho "squeue: no controller" >&2\nexit 1\n' >bin/squeue
+chmod +x bin/squeue
+PATH=$scratch/bin:$PATH refuses "no controller" class in --out out --slurm --lesson 12
+[[ ! -e out ]] || wrong "something was written, though there is no Slurm"

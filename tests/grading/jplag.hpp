@@ -7,8 +7,8 @@
 namespace glint::grading {
 
 // Writes c.out/submissions/STUDENT/HEADER for all that was handed in and can be read, and from the
-// students' tree what everyone was given, c.out/base/HEADER. An Error where c.out is there already,
-// or where the students' tree lacks a header.
+// students' tree what everyone was given, c.out/base/HEADER. All or nothing; an Error where c.out
+// is there already, or where the students' tree lacks a header.
 void export_for_jplag(const ClassOrder& c, const std::filesystem::path& students_tree);
 
 }  // namespace glint::grading

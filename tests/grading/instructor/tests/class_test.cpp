@@ -156,8 +156,14 @@ TEST_CASE("JPlag gets what was handed in, and what everyone was given") {
     const auto students = fs::directory_iterator(c.order.out / "submissions");
     CHECK(std::distance(begin(students), end(students)) == 3);  // links and names alone are none
     CHECK_THROWS_AS(export_for_jplag(c.order, given), Error);
-    c.order.out = c.path / "elsewhere";
-    CHECK_THROWS_AS(export_for_jplag(c.order, c.path / "in"), Error);
+    c.order.order.lessons = {"12_schlick", "13_specular_colour"};
+    c.order.out = c.path / "elsewhere/";
+    const auto before = std::distance(fs::directory_iterator(c.path), fs::directory_iterator());
+    CHECK_THROWS_AS(export_for_jplag(c.order, given), Error);
+    CHECK(std::distance(fs::directory_iterator(c.path), fs::directory_iterator()) == before);
+    write_text(given / "specular_colour.hpp", "// given\n");
+    export_for_jplag(c.order, given);
+    CHECK(fs::exists(c.order.out / "submissions/ada/schlick.hpp"));
 }
 
 }  // namespace

@@ -29,3 +29,15 @@ printf '#!/bin/sh\necho "squeue: no controller" >&2\nexit 1\n' >bin/squeue
 chmod +x bin/squeue
 PATH=$scratch/bin:$PATH refuses "no controller" class in --out out --slurm --lesson 12
 [[ ! -e out ]] || wrong "something was written, though there is no Slurm"
+
+# ---- what is written for others ------------------------------------------------------------------
+
+head -c 8 /dev/urandom >short
+head -c 16 /dev/urandom >secret
+echo old >a.zip
+refuses "16 bytes" bundle gradescope a.zip --secret short --assignment a --lesson 12
+[[ $(<a.zip) == old ]] || wrong "an archive that failed took the old one's place"
+refuses "nowhere" bundle gradescope nowhere/a.zip --secret secret --assignment a --lesson 12
+refuses "in/ada: has no schlick.hpp" export jplag in --out out --handout in/ada --lesson 12
+refuses "nowhere" export jplag in --out nowhere/out --handout in/ada --lesson 12
+[[ ! -e out && ! -e nowhere ]] || wrong "half a folder for JPlag is left"

@@ -23,6 +23,22 @@ refuses() {
 
 mkdir -p in/ada bin
 
+# ---- options -------------------------------------------------------------------------------------
+
+refuses "subcommand"
+refuses "--lesosn" one in/ada --lesosn 12
+refuses "nowhere" class nowhere --out out
+refuses "--jobs" class in --out out --jobs 0
+refuses "--part 0/4x" class in --out out --part 0/4x
+refuses "--part 4/4" class in --out out --part 4/4
+refuses "--out in/out" class in --out in/out
+refuses "nowhere" one nowhere
+echo '{"users": [' >broken.json
+refuses "broken.json" one in/ada --metadata broken.json
+echo '{}' >broken.json
+refuses "broken.json" one in/ada --metadata broken.json
+"$grade" one --help | grep -q -- --gradescope || wrong "grade one --help does not say what there is"
+
 # ---- without Slurm -------------------------------------------------------------------------------
 
 printf '#!/bin/sh\necho "squeue: no controller" >&2\nexit 1\n' >bin/squeue

@@ -5,6 +5,7 @@
 #include "tests/grading/grade_options.hpp"
 #include "tests/grading/jplag.hpp"
 #include "tests/grading/plain_text.hpp"
+#include "tests/grading/scratch.hpp"
 #include "tests/grading/slurm.hpp"
 
 #include <iostream>
@@ -92,20 +93,20 @@ int say_who_is_left(const std::set<std::string>& students) {
     return students.empty() ? 0 : 3;
 }
 
-int whole_class(const Options& o) {
+int here(const Options& o) {
     warn_of_others(o.c.folder);
-    std::set<std::string> left;
-    if (o.slurm) {
-        run_array(
-            {part_command(o), std::filesystem::absolute(o.c.out) / "slurm", o.chunk, o.c.jobs},
-            students_of(o.c.folder, o.c.roster).size());
-    } else {
-        left = grade_class(o.c);
-    }
+    std::set<std::string> left = grade_class(o.c);
     if (o.c.parts == 1) {
         left.merge(sum_up(o.c));
     }
     return say_who_is_left(left);
+}
+
+int by_slurm(const Options& o) {
+    warn_of_others(o.c.folder);
+    run_array({part_command(o), std::filesystem::absolute(o.c.out) / "slurm", o.chunk, o.c.jobs},
+              students_of(o.c.folder, o.c.roster).size());
+    return say_who_is_left(sum_up(o.c));
 }
 
 int similar(const Options& o) {
@@ -143,9 +144,9 @@ int doctor() {
 }
 
 int run(const Options& o) {
-    return o.command == "one"      ? one(o)
-           : o.command == "class"  ? whole_class(o)
-           : o.command == "export" ? similar(o)
+    return o.command == "one"      ? in_scratch([&] { return one(o); })
+           : o.command == "class"  ? o.slurm ? by_slurm(o) : in_scratch([&] { return here(o); })
+            : o.command == "export" ? similar(o)
            : o.command == "bundle" ? bundle(o)
                                    : doctor();
 }

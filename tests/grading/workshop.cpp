@@ -108,7 +108,7 @@ std::string first_errors(const std::string& diagnostics) {
     std::istringstream lines(diagnostics);
     std::string errors;
     for (std::string line; std::getline(lines, line);) {
-        if (has(line, {"error", "undefined reference", "multiple definition"})) {
+        if (has(line, {"error", "Error:", "undefined reference", "multiple definition"})) {
             for (const std::string_view ours : {"../student/", "../include/"}) {
                 for (std::size_t at = line.find(ours); at != std::string::npos;
                      at = line.find(ours, at)) {

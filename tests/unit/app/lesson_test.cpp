@@ -258,7 +258,8 @@ TEST_CASE("a system that starts no more threads is an error, not an end without 
                                     "' && ulimit -v 700000 && exec timeout 60 '" LESSON_PROGRAM
                                     "' " +
                                     arguments + " >/dev/null 2>err";
-        return WEXITSTATUS(std::system(command.c_str()));
+        const int result = std::system(command.c_str());
+        return WIFEXITED(result) ? WEXITSTATUS(result) : -1;
     };
     if (std::string(EMULATOR).empty() && limited("--help") == 0) {  // sanitizers take more to begin
         CHECK(limited("--size 40x30 --threads 256") == 2);

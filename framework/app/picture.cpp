@@ -73,13 +73,8 @@ Drawing draw_view(ViewMode mode, Renderer& renderer, const Scene& scene, const V
     return d;
 }
 
-Drawing draw(const Lesson& lesson, const Options& o, const Scene& scene) {
-    if (o.tolerance > 0 && o.view == ViewMode::shaded) {
-        const Plan plan = make_plan(lesson, o, scene);
-        Drawing drawing = draw(lesson, planned(plan, o), scene);
-        drawing.plans.push_back(plan);
-        return drawing;
-    }
+// By the parameters as they are, whatever the tolerance.
+static Drawing draw_by_parameters(const Lesson& lesson, const Options& o, const Scene& scene) {
     Renderer renderer(settings_for(o));
     const ShaderSet shading = lesson.shaders(scene, o.parameters);
     const View view = view_of(scene, o.width, o.height);
@@ -96,6 +91,16 @@ Drawing draw(const Lesson& lesson, const Options& o, const Scene& scene) {
         }
     }
     return drawing;
+}
+
+Drawing draw(const Lesson& lesson, const Options& o, const Scene& scene) {
+    if (o.tolerance > 0 && o.view == ViewMode::shaded) {
+        const Plan plan = make_plan(lesson, o, scene);
+        Drawing drawing = draw_by_parameters(lesson, planned(plan, o), scene);
+        drawing.plans.push_back(plan);
+        return drawing;
+    }
+    return draw_by_parameters(lesson, o, scene);
 }
 
 void write_picture(const std::string& path, const Drawing& drawing) {

@@ -90,7 +90,7 @@ Drawing draw_panels(const Lesson& lesson, const Options& o) {
     Scene scene;
     for (const auto& [options, left] : parts) {
         scene = left == 0 ? make_scene(lesson, options) : make_scene(lesson, options, scene);
-        const Drawing part = draw(lesson, options, scene);
+        Drawing part = draw(lesson, options, scene);
         if (parts.size() == 1) {
             return part;
         }

@@ -5,14 +5,13 @@
 #include "tests/grading/cases.hpp"
 #include "tests/grading/instructor/links.hpp"
 #include "tests/grading/instructor/marks.hpp"
+#include "tests/temporary.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <set>
 #include <sstream>
 
@@ -94,30 +93,6 @@ void write_file(const fs::path& from, const fs::path& path, const Paths& there,
     }
 }
 
-// A folder of its own beside `to`, which goes with this.
-class Beside {
-  public:
-    explicit Beside(const fs::path& to) {
-        const fs::path parent = fs::absolute(to).lexically_normal().parent_path();
-        fs::create_directories(parent);
-        std::string name = (parent / ".handout_XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            throw Error(parent.string() + ": " + std::strerror(errno));
-        }
-        path_ = name;
-    }
-    ~Beside() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Beside(const Beside&) = delete;
-    Beside& operator=(const Beside&) = delete;
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
 void write_cases(const fs::path& to) {
     fs::create_directories(to);
     for (const std::string& name : graded_lessons()) {
@@ -146,14 +121,16 @@ void hand_out(const fs::path& from, const fs::path& to) {
     }
     const std::vector<fs::path> files = files_for_students(from);
     const Paths there = with_folders(files);
-    const Beside beside(to);
-    const fs::path tree = beside.path() / "tree";
+    const fs::path target = fs::absolute(to / "").lexically_normal().parent_path();
+    fs::create_directories(target.parent_path());
+    const TemporaryFolder beside(target.parent_path());  // it takes its name when it is complete
+    const fs::path tree = beside / "tree";
     for (const fs::path& path : files) {
         write_file(from, path, there, tree);
     }
     write_cases(tree / "tests/grading/cases");
     fs::remove(to);
-    fs::rename(tree, fs::absolute(to).lexically_normal());
+    fs::rename(tree, target);
 }
 
 std::vector<std::string> telling_lines(const fs::path& from) {

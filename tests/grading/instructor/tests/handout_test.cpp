@@ -115,7 +115,7 @@ TEST_CASE("only what git knows is handed out, and neighbours are left alone") {
     write_text(tree / "answer.hpp~", "x");
     write_text(scratch.path / "course.new", "x");
 
-    hand_out(tree, scratch.path / "course");
+    hand_out(tree, scratch.path / "course/");
     const fs::path course = scratch.path / "course";
     CHECK(read_text(course / "README.md") == "a [b](kept.txt)\n```\n[a](tests/x)\n```\n");
     CHECK(fs::exists(course / "kept.txt"));

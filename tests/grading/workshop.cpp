@@ -34,8 +34,6 @@ void copy_headers(const fs::path& root, const fs::path& folder, const fs::path& 
     }
 }
 
-// The students' side of the runner. The lesson's header comes last, so that its macros reach
-// nothing but itself and the questions.
 bool asks_lanes(const Lesson& lesson) {
     for (const Task& task : lesson.tasks) {
         for (const Case& c : task.cases) {
@@ -49,6 +47,8 @@ bool asks_lanes(const Lesson& lesson) {
     return false;
 }
 
+// The students' side of the runner. The lesson's header comes last, so that its macros reach
+// nothing but itself and the questions.
 std::string answers_source(const Lesson& lesson) {
     std::string source =
         "#include \"tests/grading/runner/question.hpp\"\n"

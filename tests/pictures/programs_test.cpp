@@ -50,13 +50,13 @@ class Lesson {
     }
 
     void check_colours(int lanes) {
-        draw("one", tiles(lanes, 1));
+        draw("one", tiles(lanes, 1) + " --out one.png");
         CHECK(largest_difference(read_pfm(folder_ / "scanline_shaded.pfm"),
                                  read_pfm(folder_ / "one.pfm")) <= allowed(name_));
     }
 
+    // After check_colours() with as many lanes.
     void check_threads(int lanes) {
-        draw("one", tiles(lanes, 1) + " --out one.png");
         for (const int threads : {2, 7}) {
             draw("many", tiles(lanes, threads) + " --out many.png");
             CHECK(text_of(folder_ / "one.png") == text_of(folder_ / "many.png"));

@@ -1,7 +1,7 @@
 // performance: puts what the bench found into docs/performance.md, and into tables for gnuplot.
 // docs/performance/run measures and draws.
 #include "framework/image/file.hpp"
-#include "framework/math/simd.hpp"
+#include "framework/math/instruction_set.hpp"
 #include "docs/charts/report.hpp"
 #include "docs/performance/report.hpp"
 

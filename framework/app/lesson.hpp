@@ -3,7 +3,7 @@
 
 #include "framework/app/options.hpp"
 #include "framework/scene/scene.hpp"
-#include "framework/raster/shader.hpp"
+#include "framework/raster/plug.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "framework/app/picture.hpp"
 
 #include "framework/app/debug_views.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/renderer.hpp"
 #include "framework/image/pfm.hpp"
 #include "framework/image/png.hpp"

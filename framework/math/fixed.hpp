@@ -1,7 +1,7 @@
 // Fixed point 24.8: window positions in 1/256 pixel.
 #pragma once
 
-#include "framework/math/lanes.hpp"
+#include "framework/math/one_lane.hpp"
 
 namespace glint {
 

@@ -1,13 +1,11 @@
-// What is computed lane by lane beyond operators. Every function has a twin for float, std::int32_t
-// and bool, so that one template text runs on one lane or on many: write select(mask, a, b),
-// any(mask), all(mask), never if (mask).
+// What is computed lane by lane beyond operators: the functions of one_lane.hpp, which says of each
+// what it does.
 #pragma once
 
 #include "framework/math/lane_types.hpp"
 #include "framework/math/simd_precision.hpp"
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
@@ -35,10 +33,6 @@ template <int N>
 Int<N> select(Mask<N> m, Int<N> yes, std::type_identity_t<Int<N>> no) {
     return bits_of(select(m, float_from_bits(yes), float_from_bits(no)));
 }
-template <class T>
-requires std::is_arithmetic_v<T> T select(bool m, T yes, std::type_identity_t<T> no) {
-    return m ? yes : no;
-}
 
 template <int N>
 bool any(Mask<N> m) {
@@ -48,16 +42,9 @@ template <int N>
 bool all(Mask<N> m) {
     return xsimd::all(m.v);
 }
-inline bool any(bool m) {
-    return m;
-}
-inline bool all(bool m) {
-    return m;
-}
 
 // ---- min, max, abs, sqrt, fma --------------------------------------------------------------
 
-// min and max return b where a and b are unordered: max(x, 0) turns NaN into 0.
 template <int N>
 Float<N> min(Float<N> a, std::type_identity_t<Float<N>> b) {
     return simd::min(a.v, b.v);
@@ -74,17 +61,6 @@ template <int N>
 Int<N> max(Int<N> a, std::type_identity_t<Int<N>> b) {
     return xsimd::max(a.v, b.v);
 }
-template <class T>
-requires std::is_arithmetic_v<T> T min(T a, std::type_identity_t<T> b) {
-    return a < b ? a : b;
-}
-template <class T>
-requires std::is_arithmetic_v<T> T max(T a, std::type_identity_t<T> b) {
-    return a > b ? a : b;
-}
-
-using std::abs;
-using std::sqrt;
 template <int N>
 Float<N> sqrt(Float<N> a) {
     return simd::sqrt(a.v);
@@ -93,67 +69,35 @@ template <int N>
 Float<N> abs(Float<N> a) {
     return xsimd::abs(a.v);
 }
-
-// 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the last place. Some processors give
-// NaN where a is 0 or infinite.
 template <int N>
 Float<N> reciprocal(Float<N> a) {
     return simd::reciprocal(a.v);
 }
-inline float reciprocal(float a) {
-    return simd::reciprocal(a);
-}
-
-// 1/sqrt(a) of normal a > 0, to 14 bits or more: what a step of Newton's iteration starts from.
 template <int N>
 Float<N> inverse_sqrt_estimate(Float<N> a) {
     return simd::inverse_sqrt_estimate(a.v);
 }
-inline float inverse_sqrt_estimate(float a) {
-    return simd::inverse_sqrt_estimate(a);
-}
-inline double inverse_sqrt_estimate(double a) {
-    return 1.0 / std::sqrt(a);
-}
-
-// a*b + c; of floats rounded once where the processor can, else twice, on one lane as on many.
 template <int N>
 Float<N> fma(Float<N> a, std::type_identity_t<Float<N>> b, std::type_identity_t<Float<N>> c) {
     return simd::fma(a.v, b.v, c.v);
 }
-inline float fma(float a, float b, float c) {
-    return simd::fma(a, b, c);
-}
-inline double fma(double a, double b, double c) {
-    return std::fma(a, b, c);
-}
-
-// a b - c d, off by less than 2 units in its last place even where it cancels.
 template <int N>
 Float<N> difference_of_products(Float<N> a, Float<N> b, Float<N> c, Float<N> d) {
     return simd::difference_of_products(a.v, b.v, c.v, d.v);
 }
-inline float difference_of_products(float a, float b, float c, float d) {
-    return simd::difference_of_products(a, b, c, d);
-}
-
-// a 2^k, rounded once, for 1/2 <= a < 2 and whole k from -151 to 128.
 template <int N>
 Float<N> scale(Float<N> a, Float<N> k) {
     return simd::scale(a.v, k.v);
-}
-inline float scale(float a, float k) {
-    return simd::scale(a, k);
 }
 
 // ---- conversions ---------------------------------------------------------------------------
 
 template <int N>
-Int<N> round_to_int(Float<N> a) {  // to nearest, ties to even; |a| < 2^31
+Int<N> round_to_int(Float<N> a) {
     return xsimd::nearbyint_as_int(a.v);
 }
 template <int N>
-Int<N> truncate_to_int(Float<N> a) {  // towards zero; |a| < 2^31
+Int<N> truncate_to_int(Float<N> a) {
     return xsimd::batch_cast<std::int32_t>(a.v);
 }
 template <int N>
@@ -167,22 +111,6 @@ Int<N> bits_of(Float<N> a) {
 template <int N>
 Float<N> float_from_bits(Int<N> a) {
     return std::bit_cast<simd::Floats<N>>(a.v);
-}
-inline std::int32_t round_to_int(float a) {
-    return static_cast<std::int32_t>(__builtin_rintf(a));
-}
-template <class T>
-requires std::is_floating_point_v<T> std::int32_t truncate_to_int(T a) {
-    return static_cast<std::int32_t>(a);
-}
-inline float to_float(std::int32_t a) {
-    return static_cast<float>(a);
-}
-inline std::int32_t bits_of(float a) {
-    return std::bit_cast<std::int32_t>(a);
-}
-inline float float_from_bits(std::int32_t a) {
-    return std::bit_cast<float>(a);
 }
 
 // ---- subnormal numbers ---------------------------------------------------------------------

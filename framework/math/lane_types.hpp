@@ -1,6 +1,7 @@
 // The SIMD types: N floats, N 32-bit integers, N answers, with operators that act lane by lane.
 #pragma once
 
+#include "framework/math/one_lane.hpp"
 #include "framework/math/simd.hpp"
 
 #include <cstdint>
@@ -77,42 +78,20 @@ struct Float {
     Float& operator/=(Float b) { return *this = *this / b; }
 };
 
-// What belongs together: Lanes<N>::Float, ::Int and ::Mask; plain scalars for one lane.
 template <int N>
 struct Lanes {
     using Float = glint::Float<N>;
     using Int = glint::Int<N>;
     using Mask = glint::Mask<N>;
 };
-template <>
-struct Lanes<1> {
-    using Float = float;
-    using Int = std::int32_t;
-    using Mask = bool;
-};
 
-template <class T>
-inline constexpr int lanes_of = 1;
 template <int N>
 inline constexpr int lanes_of<Float<N>> = N;
 template <int N>
 inline constexpr int lanes_of<Int<N>> = N;
 
-template <class T>
-inline constexpr bool is_lanes = false;
 template <int N>
 inline constexpr bool is_lanes<Float<N>> = true;
-
-// The integers and the answers that go with a floating-point type; double is one lane.
-template <class T>
-struct Companions {
-    using Int = typename Lanes<lanes_of<T>>::Int;
-    using Mask = typename Lanes<lanes_of<T>>::Mask;
-};
-template <class T>
-using MaskOf = typename Companions<T>::Mask;
-template <class T>
-using IntOf = typename Companions<T>::Int;
 
 }  // namespace glint
 

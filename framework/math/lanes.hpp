@@ -14,7 +14,6 @@ namespace glint {
 
 // ---- memory --------------------------------------------------------------------------------
 
-// load and store move N consecutive values; any alignment.
 template <class T>
 requires is_lanes<T> T load(const float* from) {
     return simd::Floats<lanes_of<T>>::load_unaligned(from);
@@ -23,10 +22,6 @@ template <class T>
 requires std::same_as<T, Int<lanes_of<T>>> T load(const std::int32_t* from) {
     return simd::Ints<lanes_of<T>>::load_unaligned(from);
 }
-template <class T>
-requires std::is_arithmetic_v<T> T load(const T* from) {
-    return *from;
-}
 template <int N>
 void store(float* to, Float<N> a) {
     a.v.store_unaligned(to);
@@ -34,11 +29,6 @@ void store(float* to, Float<N> a) {
 template <int N>
 void store(std::int32_t* to, Int<N> a) {
     a.v.store_unaligned(to);
-}
-template <class T>
-requires std::is_arithmetic_v<T>
-void store(T* to, T a) {
-    *to = a;
 }
 
 // Four numbers from here on, four from a stride on, and so on; of one lane, one number.
@@ -77,7 +67,6 @@ T iota() {
     }
 }
 
-// from[index] for each lane; every index must be in range.
 template <int N>
 Float<N> gather(const float* from, Int<N> index) {
     return simd::gather(from, index.v);
@@ -86,18 +75,10 @@ template <int N>
 Int<N> gather(const std::int32_t* from, Int<N> index) {
     return simd::gather(from, index.v);
 }
-template <class T>
-requires std::is_arithmetic_v<T> T gather(const T* from, std::int32_t index) {
-    return from[index];
-}
 
-// table[index mod 16], much faster than gather where a table fits in registers.
 template <int N>
 Float<N> lookup16(const float* table, Int<N> index) {
     return simd::lookup16(table, index.v);
-}
-inline float lookup16(const float* table, std::int32_t index) {
-    return table[index & 15];
 }
 
 // low[index] or, from N on, high[index - N], index mod 2 N: tables of as many numbers as there are
@@ -113,10 +94,6 @@ inline float lookup(const float* low, const float* high, std::int32_t index) {
 template <int N>
 float first_lane(Float<N> a) {
     return a.v.get(0);
-}
-template <class T>
-requires std::is_floating_point_v<T> T first_lane(T a) {
-    return a;
 }
 
 // Four numbers from each of N places: column k holds row[i][k] in lane i. Much faster than four

@@ -2,6 +2,8 @@
 // simd.hpp says so.
 #pragma once
 
+#include "framework/math/instruction_set.hpp"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -30,15 +32,9 @@ template <class A>
 xsimd::batch<float, A> quotient(xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
     return a.data / b.data;
 }
-inline float quotient(float a, float b) {
-    return a / b;
-}
 template <class F>
 F sqrt(F a) {
     return xsimd::sqrt(a);
-}
-inline float sqrt(float a) {
-    return __builtin_sqrtf(a);
 }
 template <class F>
 F min(F a, F b) {
@@ -57,12 +53,6 @@ F scale(F a, F k) {
     const auto exponent = xsimd::batch_cast<std::int32_t>(k + step) << 23;
     const auto bits = std::bit_cast<decltype(exponent)>(a) + exponent;
     return std::bit_cast<F>(bits) * xsimd::select(k < F(-125.0F), F(0x1p-24F), F(1.0F));
-}
-inline float scale(float a, float k) {
-    const bool small = k < -125.0F;
-    const std::int32_t exponent = static_cast<std::int32_t>(k) + (small ? 24 : 0);
-    const std::int32_t bits = std::bit_cast<std::int32_t>(a) + exponent * (1 << 23);
-    return std::bit_cast<float>(bits) * (small ? 0x1p-24F : 1.0F);
 }
 
 template <class T, class I>

@@ -1,6 +1,6 @@
-// The instruction set: which registers there are, and what one instruction does that xsimd 8 does
-// with several or rounds otherwise. Nothing else that computes but simd_precision.hpp knows more of
-// it than max_lanes.
+// The instruction set's registers: what one instruction does that xsimd 8 does with several or
+// rounds otherwise. Nothing else that computes but simd_precision.hpp, and instruction_set.hpp for
+// one float, knows more of it than max_lanes.
 #pragma once
 
 #include "framework/math/registers.hpp"
@@ -12,12 +12,7 @@
 
 namespace glint {
 
-// The widest register that this build may use.
-inline constexpr int max_lanes = XSIMD_WITH_AVX512BW ? 16 : XSIMD_WITH_FMA3_AVX2 ? 8 : 4;
-inline constexpr const char* instruction_set = XSIMD_WITH_AVX512BW    ? "avx512"
-                                               : XSIMD_WITH_FMA3_AVX2 ? "avx2"
-                                               : XSIMD_WITH_NEON64    ? "neon"
-                                                                      : "sse4.2";
+static_assert(max_lanes == (XSIMD_WITH_AVX512BW ? 16 : XSIMD_WITH_FMA3_AVX2 ? 8 : 4));
 
 namespace simd {
 
@@ -33,13 +28,9 @@ using Ints = xsimd::batch<std::int32_t, Architecture<N>>;
 template <int N>
 using Bools = xsimd::batch_bool<float, Architecture<N>>;
 
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
-inline float fma(float a, float b, float c) {
-    return __builtin_fmaf(a, b, c);
-}
-#else
+#if !defined(__FMA__) && !defined(__ARM_FEATURE_FMA)
 template <class F>
-F fma(F a, F b, F c) {  // the library's rounds once, and takes fifty times as long
+F fma(F a, F b, F c) {  // as that of one float
     return a * b + c;
 }
 #endif

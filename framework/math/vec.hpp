@@ -5,12 +5,15 @@
 // vector is NaN, as in GLSL; normalize_or() says what else it shall be.
 #pragma once
 
-#include "framework/math/lanes.hpp"
+#include "framework/math/one_lane.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <concepts>
+#include <limits>
 
 namespace glint {
 

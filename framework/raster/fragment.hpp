@@ -2,7 +2,7 @@
 // Both rasterizers resolve pixels by this text.
 #pragma once
 
-#include "framework/math/lane_math.hpp"
+#include "framework/math/one_lane.hpp"
 
 #include <span>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "framework/raster/pipeline.hpp"
+#include "framework/math/lanes.hpp"
 
 #include <cstddef>
 

@@ -5,7 +5,7 @@
 
 #include "framework/math/error.hpp"
 #include "framework/math/fixed.hpp"
-#include "framework/math/lane_math.hpp"
+#include "framework/math/one_lane.hpp"
 
 #include <algorithm>
 #include <array>

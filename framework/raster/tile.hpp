@@ -12,7 +12,7 @@
 #include "framework/image/image.hpp"
 #include "framework/image/srgb.hpp"
 #include "framework/math/memory.hpp"
-#include "framework/math/simd.hpp"
+#include "framework/math/one_lane.hpp"
 
 #include <array>
 #include <cstddef>

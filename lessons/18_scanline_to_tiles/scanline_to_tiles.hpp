@@ -8,6 +8,7 @@
 #pragma once
 
 #include "framework/math/fixed.hpp"
+#include "framework/math/lanes.hpp"
 #include "framework/math/vec.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // gonio: evaluates a lesson's model on rows of numbers, in float, in lanes and in double.
 #include "lessons/gonio/csv.hpp"
 #include "lessons/gonio/models.hpp"
+#include "framework/math/lanes.hpp"
 
 #include <functional>
 #include <iostream>

@@ -2,6 +2,7 @@
 // corner: the tiles' planes stay accurate where planes anchored at that corner fail.
 #include "framework/raster/assemble.hpp"
 #include "framework/raster/interpolate.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/tile.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/unit/raster/drawing.hpp"

@@ -1,5 +1,6 @@
 // A plane to the horizon: perspective-correct interpolation against the points at which the pixels'
 // rays meet the plane, in double.
+#include "framework/raster/plug.hpp"
 #include "framework/raster/tile.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/unit/raster/drawing.hpp"

@@ -1,5 +1,6 @@
 // A sphere of triangles against the sphere itself: depth and normal approach those at which the
 // pixel's ray meets it, with the square of the triangles' size.
+#include "framework/raster/plug.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/accuracy/line_fit.hpp"
 #include "tests/unit/raster/drawing.hpp"

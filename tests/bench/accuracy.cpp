@@ -2,6 +2,7 @@
 
 #include "framework/raster/assemble.hpp"
 #include "framework/raster/interpolate.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/setup.hpp"
 #include "framework/image/srgb.hpp"
 

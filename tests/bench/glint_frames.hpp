@@ -4,6 +4,7 @@
 
 #include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/where_it_shows.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/renderer.hpp"
 #include "tests/bench/scenes.hpp"
 

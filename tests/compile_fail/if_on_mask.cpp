@@ -1,3 +1,4 @@
+#include "framework/math/lanes.hpp"
 #include "framework/math/vec.hpp"
 
 namespace glint {

@@ -1,4 +1,4 @@
-#include "framework/raster/shader.hpp"
+#include "framework/raster/plug.hpp"
 
 namespace glint {
 

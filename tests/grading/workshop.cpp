@@ -50,12 +50,14 @@ bool asks_lanes(const Lesson& lesson) {
 // The students' side of the runner. The lesson's header comes last, so that its macros reach
 // nothing but itself and the questions.
 std::string answers_source(const Lesson& lesson) {
-    std::string source =
-        "#include \"tests/grading/runner/question.hpp\"\n"
-        "#include \"tests/grading/runner/wire.hpp\"\n"
-        "#include \"lessons/" +
-        lesson.name + "/" + lesson.header +
-        "\"\nnamespace glint {\n#include \"tests/grading/questions/" + lesson.name + R"(.hpp"
+    const bool lanes = asks_lanes(lesson);
+    std::string source = std::string(lanes ? "#include \"framework/math/lanes.hpp\"\n" : "") +
+                         "#include \"tests/grading/runner/question.hpp\"\n"
+                         "#include \"tests/grading/runner/wire.hpp\"\n"
+                         "#include \"lessons/" +
+                         lesson.name + "/" + lesson.header +
+                         "\"\nnamespace glint {\n#include \"tests/grading/questions/" +
+                         lesson.name + R"(.hpp"
 template <Real T>
 void answer_row(const grading::Request& asked, const double* in, std::size_t row, double* out) {
     answer<T>(static_cast<int>(asked.task), In<T>(in, asked.rows, asked.columns, row),
@@ -69,7 +71,7 @@ void glint_answer(const glint::grading::Request& asked, const double* in, std::s
         case Number::as_double: return glint::answer_row<double>(asked, in, row, out);
         case Number::as_float: return glint::answer_row<float>(asked, in, row, out);
 )";
-    if (asks_lanes(lesson)) {
+    if (lanes) {
         source +=
             "        case Number::as_lanes:\n"
             "            return glint::answer_row<glint::Float<4>>(asked, in, row, out);\n";

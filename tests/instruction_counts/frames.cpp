@@ -2,6 +2,7 @@
 // instructions tests/instruction_counts/count counts.
 #include "lessons/15_engine_integration/lit_from_afar.hpp"
 #include "lessons/15_engine_integration/where_it_shows.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/renderer.hpp"
 #include "framework/math/error.hpp"
 

@@ -2,6 +2,7 @@
 // number of threads.
 #include "framework/app/picture.hpp"
 #include "framework/raster/assemble.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/setup.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/pictures/lessons.hpp"

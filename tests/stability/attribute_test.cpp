@@ -2,6 +2,7 @@
 #include "framework/scene/camera.hpp"
 #include "framework/raster/assemble.hpp"
 #include "framework/raster/interpolate.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/stability/row.hpp"
 #include "tests/unit/raster/drawing.hpp"

@@ -2,6 +2,7 @@
 #include "framework/raster/coverage.hpp"
 
 #include "lessons/18_scanline_to_tiles/scanline_to_tiles.hpp"
+#include "framework/raster/plug.hpp"
 #include "tests/stability/row.hpp"
 #include "tests/unit/raster/drawing.hpp"
 

@@ -1,5 +1,6 @@
 // What is in front: the near plane, the resolution of depth, faces in one plane.
 #include "framework/scene/camera.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/transform.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/stability/row.hpp"

@@ -2,6 +2,7 @@
 #include "lessons/15_engine_integration/engine_phong.hpp"
 #include "framework/scene/camera.hpp"
 #include "framework/raster/assemble.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/setup.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/pictures/random_scene.hpp"

@@ -4,6 +4,7 @@
 #include "lessons/12_schlick/schlick.hpp"
 #include "lessons/16_where_it_fails/consistent_phong.hpp"
 #include "framework/scene/camera.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/stability/row.hpp"

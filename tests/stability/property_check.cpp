@@ -1,6 +1,7 @@
 #include "tests/stability/property_check.hpp"
 
 #include "framework/raster/assemble.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/setup.hpp"
 #include "framework/raster/tile.hpp"
 #include "tests/unit/raster/drawing.hpp"

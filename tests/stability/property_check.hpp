@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lessons/04_rendering_equation/rendering_equation.hpp"
-#include "framework/raster/shader.hpp"
+#include "framework/raster/plug.hpp"
 #include "tests/stability/property_world.hpp"
 
 #include <functional>

@@ -1,6 +1,7 @@
 // The same shader's text as double, as float and in lanes; and what covers a pixel, by both
 // rasterizers, of vertices that are snapped to fractions of a pixel.
 #include "lessons/15_engine_integration/engine_phong.hpp"
+#include "framework/raster/plug.hpp"
 #include "docs/charts/families.hpp"
 #include "docs/charts/net.hpp"
 #include "docs/charts/picture.hpp"

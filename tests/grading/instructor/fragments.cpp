@@ -1,6 +1,7 @@
 #include "tests/grading/instructor/fragments.hpp"
 
 #include "framework/scene/stages.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/renderer.hpp"
 #include "framework/math/error.hpp"
 

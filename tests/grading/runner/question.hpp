@@ -7,7 +7,7 @@
 //     void answer(int task, In<T> in, Out<T> out);     // task 2 is NN.2
 //
 // It is read where the header's names are known, the students' or the instructor's: so it has
-// neither includes nor a namespace of its own.
+// neither includes nor a namespace of its own. Where lanes are asked for, lanes.hpp comes first.
 #pragma once
 
 #include "framework/math/incidence.hpp"

@@ -1,4 +1,5 @@
 // A steady frame allocates nothing: this program counts every call of operator new.
+#include "framework/raster/plug.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/pictures/random_scene.hpp"
 #include "tests/unit/raster/drawing.hpp"

@@ -1,5 +1,6 @@
 // Shaders that ask for directions only.
 #include "framework/scene/camera.hpp"
+#include "framework/raster/plug.hpp"
 #include "tests/unit/raster/drawing.hpp"
 #include "tests/worst.hpp"
 

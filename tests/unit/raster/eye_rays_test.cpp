@@ -1,6 +1,7 @@
 #include "framework/raster/eye_rays.hpp"
 
 #include "framework/scene/camera.hpp"
+#include "framework/raster/plug.hpp"
 #include "tests/unit/raster/drawing.hpp"
 #include "tests/worst.hpp"
 

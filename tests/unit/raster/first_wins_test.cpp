@@ -1,5 +1,6 @@
 // Of equal depths the triangle submitted first wins.
 #include "framework/scene/camera.hpp"
+#include "framework/raster/plug.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/unit/raster/drawing.hpp"
 

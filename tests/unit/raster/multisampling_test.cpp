@@ -1,5 +1,6 @@
 // Samples of a pixel: which are covered, what the pixel becomes, and where it is shaded.
 #include "framework/raster/fragment.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/raster/samples.hpp"
 #include "framework/image/srgb.hpp"
 #include "tests/oracle/cases.hpp"

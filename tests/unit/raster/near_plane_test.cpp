@@ -1,6 +1,7 @@
 // What passes through the near plane, the eye or the guard band.
 #include "framework/scene/camera.hpp"
 #include "framework/raster/assemble.hpp"
+#include "framework/raster/plug.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/oracle/coverage_oracle.hpp"
 #include "tests/oracle/random.hpp"

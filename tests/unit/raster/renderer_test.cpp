@@ -1,5 +1,6 @@
 #include "framework/raster/renderer.hpp"
 
+#include "framework/raster/plug.hpp"
 #include "framework/geometry/shapes.hpp"
 #include "tests/unit/raster/drawing.hpp"
 #include "tests/unit/refusal.hpp"

@@ -1,4 +1,5 @@
 // Ids and depths are the same bits with every compiler and on every processor.
+#include "framework/raster/plug.hpp"
 #include "tests/oracle/random.hpp"
 #include "tests/unit/raster/drawing.hpp"
 

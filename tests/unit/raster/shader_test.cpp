@@ -1,5 +1,6 @@
 #include "framework/raster/shader.hpp"
 
+#include "framework/raster/plug.hpp"
 #include "tests/unit/raster/drawing.hpp"
 #include "tests/worst.hpp"
 

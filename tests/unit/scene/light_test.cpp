@@ -1,5 +1,7 @@
 #include "framework/scene/light.hpp"
 
+#include "framework/math/lanes.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>

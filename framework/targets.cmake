@@ -10,7 +10,8 @@ function(glint_precompile target rounding)
       ${PROJECT_BINARY_DIR}/precompiled_${rounding}.cpp)
     target_link_libraries(glint_precompiled_${rounding} PRIVATE glint_math glint_${rounding})
     target_precompile_headers(glint_precompiled_${rounding} PRIVATE
-      ${PROJECT_SOURCE_DIR}/framework/math/vec.hpp ${PROJECT_SOURCE_DIR}/framework/math/error.hpp
+      ${PROJECT_SOURCE_DIR}/framework/math/lanes.hpp ${PROJECT_SOURCE_DIR}/framework/math/vec.hpp
+      ${PROJECT_SOURCE_DIR}/framework/math/error.hpp
       <algorithm> <filesystem> <functional> <iostream> <map> <span> <sstream> <vector>)
   endif()
   target_precompile_headers(${target} REUSE_FROM glint_precompiled_${rounding})

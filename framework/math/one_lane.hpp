@@ -5,12 +5,9 @@
 
 #include "framework/math/instruction_set.hpp"
 
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 
 namespace glint {

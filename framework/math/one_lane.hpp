@@ -5,9 +5,12 @@
 
 #include "framework/math/instruction_set.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 namespace glint {

@@ -36,9 +36,6 @@ inline constexpr const char* instruction_set = "sse4.2";
 
 namespace simd {
 
-inline float quotient(float a, float b) {
-    return a / b;
-}
 inline float sqrt(float a) {
     return __builtin_sqrtf(a);
 }
@@ -47,18 +44,9 @@ inline float sqrt(float a) {
 inline float fma(float a, float b, float c) {
     return __builtin_fmaf(a, b, c);
 }
-// As that of registers: see simd_precision.hpp.
-inline float difference_of_products(float a, float b, float c, float d) {
-    const float cd = c * d;
-    return fma(a, b, -cd) + fma(-c, d, cd);
-}
 #else
 inline float fma(float a, float b, float c) {  // the library's rounds once, fifty times as slowly
     return a * b + c;
-}
-inline float difference_of_products(float a, float b, float c, float d) {
-    const auto product = [](float x, float y) { return static_cast<double>(x) * y; };
-    return static_cast<float>(product(a, b) - product(c, d));
 }
 #endif
 
@@ -66,16 +54,9 @@ inline float difference_of_products(float a, float b, float c, float d) {
 inline float inverse_sqrt_estimate(float a) {
     return _mm_cvtss_f32(_mm_rsqrt14_ss(_mm_setzero_ps(), _mm_set_ss(a)));
 }
-inline float reciprocal(float a) {
-    const float y = _mm_cvtss_f32(_mm_rcp14_ss(_mm_setzero_ps(), _mm_set_ss(a)));
-    return fma(y, fma(-a, y, 1.0F), y);
-}
 #else
 inline float inverse_sqrt_estimate(float a) {
     return 1.0F / sqrt(a);
-}
-inline float reciprocal(float a) {
-    return 1.0F / a;
 }
 #endif
 

@@ -70,10 +70,6 @@ Float<N> abs(Float<N> a) {
     return xsimd::abs(a.v);
 }
 template <int N>
-Float<N> reciprocal(Float<N> a) {
-    return simd::reciprocal(a.v);
-}
-template <int N>
 Float<N> inverse_sqrt_estimate(Float<N> a) {
     return simd::inverse_sqrt_estimate(a.v);
 }
@@ -82,12 +78,29 @@ Float<N> fma(Float<N> a, std::type_identity_t<Float<N>> b, std::type_identity_t<
     return simd::fma(a.v, b.v, c.v);
 }
 template <int N>
+Float<N> scale(Float<N> a, Float<N> k) {
+    return simd::scale(a.v, k.v);
+}
+
+// ---- what is asked for beside lanes only, so for one lane, too ------------------------------
+
+// 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the last place. Some processors give
+// NaN where a is 0 or infinite.
+template <int N>
+Float<N> reciprocal(Float<N> a) {
+    return simd::reciprocal(a.v);
+}
+inline float reciprocal(float a) {
+    return simd::reciprocal(a);
+}
+
+// a b - c d, off by less than 2 units in its last place even where it cancels.
+template <int N>
 Float<N> difference_of_products(Float<N> a, Float<N> b, Float<N> c, Float<N> d) {
     return simd::difference_of_products(a.v, b.v, c.v, d.v);
 }
-template <int N>
-Float<N> scale(Float<N> a, Float<N> k) {
-    return simd::scale(a.v, k.v);
+inline float difference_of_products(float a, float b, float c, float d) {
+    return simd::difference_of_products(a, b, c, d);
 }
 
 // ---- conversions ---------------------------------------------------------------------------

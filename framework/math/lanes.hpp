@@ -1,5 +1,4 @@
-// Lanes in memory and as bits. As of what is computed lane by lane, every function has a twin for
-// one lane.
+// Lanes in memory and as bits. Every function has a twin for one lane, here or in one_lane.hpp.
 #pragma once
 
 #include "framework/math/lane_math.hpp"

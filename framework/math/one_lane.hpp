@@ -72,12 +72,6 @@ requires std::is_arithmetic_v<T> T max(T a, std::type_identity_t<T> b) {
 using std::abs;
 using std::sqrt;
 
-// 1/a of 2^-126 <= |a| <= 2^126: off by less than 2 units in the last place. Some processors give
-// NaN where a is 0 or infinite.
-inline float reciprocal(float a) {
-    return simd::reciprocal(a);
-}
-
 // 1/sqrt(a) of normal a > 0, to 14 bits or more: what a step of Newton's iteration starts from.
 inline float inverse_sqrt_estimate(float a) {
     return simd::inverse_sqrt_estimate(a);
@@ -92,11 +86,6 @@ inline float fma(float a, float b, float c) {
 }
 inline double fma(double a, double b, double c) {
     return std::fma(a, b, c);
-}
-
-// a b - c d, off by less than 2 units in its last place even where it cancels.
-inline float difference_of_products(float a, float b, float c, float d) {
-    return simd::difference_of_products(a, b, c, d);
 }
 
 // a 2^k, rounded once, for 1/2 <= a < 2 and whole k from -151 to 128.

@@ -4,20 +4,13 @@
 
 #include "framework/math/instruction_set.hpp"
 
+#include <xsimd/xsimd.hpp>
+
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-
-// GCC 12 takes the undefined pass-through operand of its own AVX-512 intrinsics for a mistake.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <xsimd/xsimd.hpp>
-#pragma GCC diagnostic pop
 
 namespace glint::simd {
 
@@ -31,6 +24,9 @@ xsimd::batch_bool<float, A> as_bools(xsimd::batch_bool<std::int32_t, A> m) {
 template <class A>
 xsimd::batch<float, A> quotient(xsimd::batch<float, A> a, xsimd::batch<float, A> b) {
     return a.data / b.data;
+}
+inline float quotient(float a, float b) {
+    return a / b;
 }
 template <class F>
 F sqrt(F a) {

@@ -30,6 +30,9 @@ inline __m256 quotient_estimate(__m256 a) {
 inline __m128 quotient_estimate(__m128 a) {
     return _mm_rcp14_ps(a);
 }
+inline float quotient_estimate(float a) {
+    return _mm_cvtss_f32(_mm_rcp14_ss(_mm_setzero_ps(), _mm_set_ss(a)));
+}
 template <class F>
 F inverse_sqrt_estimate(F a) {
     return root_estimate(a);
@@ -59,6 +62,10 @@ F difference_of_products(F a, F b, F c, F d) {
     return fma(a, b, -cd) + fma(-c, d, cd);  // the second: what cd lost by rounding
 }
 #else
+inline float difference_of_products(float a, float b, float c, float d) {
+    const auto product = [](float x, float y) { return static_cast<double>(x) * y; };
+    return static_cast<float>(product(a, b) - product(c, d));
+}
 template <class F>
 F difference_of_products(F a, F b, F c, F d) {
     alignas(64) float r[4][F::size];
